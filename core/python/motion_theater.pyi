@@ -1,0 +1,230 @@
+"""Motion capture: read it, combine it, filter it.
+
+Arrays are C-contiguous float64 unless said otherwise. Quaternions are (w, x, y, z). Angles are radians.
+Euler orders are Blender's: "XYZ" turns about X first, then Y, then Z, about fixed axes.
+"""
+
+from collections.abc import Sequence
+from os import PathLike
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+__version__: str
+
+Floats = NDArray[np.float64]
+
+class MotionTheaterError(Exception):
+    """The root of every error of this module but those of the operating system (`OSError`)."""
+
+class ParseError(MotionTheaterError, ValueError):
+    """A file is wrong. The text names file, line (or byte), what was expected and what was found."""
+
+    path: str
+    line: int | None
+    column: int | None
+    byte: int | None
+    expected: str
+    found: str
+
+class MisfitError(MotionTheaterError, ValueError):
+    """A motion and a skeleton do not belong together."""
+
+    bones: list[str]
+
+class ParameterError(MotionTheaterError, ValueError):
+    """A number or combination that was asked for makes no sense."""
+
+class Skeleton:
+    """Names, hierarchy and rest pose, in the file's own axes and units. Parents come before children."""
+
+    name: str
+    names: list[str]
+    parents: list[int]
+    """-1 for a root."""
+    heads: Floats
+    """(bones, 3) where each bone starts in the rest pose."""
+    tails: Floats
+    """(bones, 3) where each bone ends in the rest pose; equal to its head for a point."""
+    axes: Floats
+    """(bones, 4) the bone's own rotation axes in the rest pose: bone axes to file axes."""
+    orders: list[str]
+    """Euler order of each bone: "XYZ" and so on."""
+    dofs: list[list[str]]
+    """Per bone its degrees of freedom in file order: "tx", "ty", "tz", "rx", "ry", "rz", "l"."""
+    limits: list[list[tuple[float, float]]]
+    """Per bone one pair per degree of freedom, or nothing; radians for rotations."""
+    up: tuple[float, float, float]
+    unit_m: float
+    """Metres per file unit."""
+    unit_reason: str
+    unit_is_certain: bool
+    height: float
+    """Extent of the rest pose along `up`, in file units."""
+
+class Motion:
+    """Channels over frames, for the bones of one skeleton or of one host armature."""
+
+    names: list[str]
+    first_frame: int
+    """The file's own number of the first frame."""
+    frames: int
+    rate_hz: float | None
+
+    def has_rotation(self, bone: int) -> bool: ...
+    def has_translation(self, bone: int) -> bool: ...
+    def rotations(self, bone: int) -> Floats:
+        """(frames, 4) relative to the rest pose, or (0, 4) where the bone has none."""
+    def angles(self, bone: int) -> Floats:
+        """(frames, 3) the file's own Euler angles, indexed x, y, z; or (0, 3)."""
+    def translations(self, bone: int) -> Floats:
+        """(frames, 3) of the bone's start away from its rest position; or (0, 3)."""
+    def pose(self, skeleton: Skeleton, frame: float) -> tuple[Floats, Floats, Floats]:
+        """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
+    def resampled(self, rate_hz: float) -> Motion:
+        """The same motion at another rate, low-passed first when going down."""
+    def in_rest_axes(
+        self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
+    ) -> Motion:
+        """The motion as channels of a host's bones.
+
+        `names[i]` is this motion's bone for host bone i (None: no data), `axes` (host bones, 4) the rotation from
+        this motion's axes into the host bone's rest axes, `scale` host length units per file unit. `orders[i]` asks
+        for Euler angles of that order for bone i: the file's own numbers where the axes agree.
+        """
+
+class Clip:
+    """What one file holds."""
+
+    path: str
+    format: Literal["asf", "amc"]
+    notices: list[str]
+    """What is odd in the file, and what was inferred."""
+    names: list[str]
+    """Bones in file order."""
+    frames: int
+    """0 for a file without motion."""
+    first_frame: int
+    rate_hz: float | None
+    skeleton: Skeleton | None
+    motion: Motion | None
+    """None for an AMC that was read without a skeleton: see `bind`."""
+    skeleton_hint: str | None
+    """The skeleton file that an AMC names in its comments; unreliable."""
+
+    def bind(self, skeleton: Skeleton) -> Motion:
+        """The motion of an AMC on its skeleton. Raises MisfitError with the names of the bones that do not fit."""
+    def to_bytes(self) -> bytes:
+        """The file written anew: the same values, names and order."""
+
+def read(path: str | PathLike[str], *, skeleton: Skeleton | None = None) -> Clip:
+    """Read any supported file. Raises ParseError, MisfitError or OSError."""
+
+def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> Clip:
+    """Read a file that is already in memory; `name` stands for its path in messages and gives its extension."""
+
+FilterKind = Literal["MEDIAN", "AVERAGE", "WEIGHTED"]
+
+def filter_values(values: Floats, *, kind: FilterKind, depth: int) -> Floats:
+    """Filter (channels, frames) along the last axis. Near the ends the window shrinks so that it stays centred."""
+
+def filter_rotations(values: Floats, *, kind: FilterKind, depth: int) -> Floats:
+    """Filter (bones, frames, 4) quaternions as rotations."""
+
+class Rig:
+    """The armature a stack is evaluated for: bones in the host's order and its rest pose in armature space."""
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        *,
+        rest_rotations: Floats,
+        rest_heads: Floats,
+        parents: Sequence[int],
+        modes: Sequence[str],
+        up: tuple[float, float, float],
+        rate_hz: float,
+        file_axes: Floats | None = None,
+        file_orders: Sequence[str] | None = None,
+    ) -> None:
+        """`modes[i]` is "QUATERNION" or an Euler order; `rate_hz` the scene's. `file_axes` (bones, 4) and
+        `file_orders`: the axes and order in which "Linear (Euler)" blends, where they are not the bone's own."""
+
+class Track:
+    """A clip on some bones, with its cut, scale and blend. Frames that are None are not set."""
+
+    def __init__(
+        self,
+        motion: Motion,
+        *,
+        label: str = "",
+        bones: Sequence[int] | None = None,
+        cut_start: int | None = None,
+        cut_end: int | None = None,
+        scale_start: int | None = None,
+        scale_end: int | None = None,
+        blend_depth: int | None = None,
+        preserve: bool = False,
+        preserve_rotation: Literal["HEADING", "FULL"] = "HEADING",
+        preserve_height: bool = False,
+        discard: bool = False,
+        blend: Literal["SLERP", "EULER"] = "SLERP",
+        sampling: Literal["LINEAR", "SMOOTH"] = "LINEAR",
+        keys: Literal["FRAMES", "SAMPLES"] = "FRAMES",
+        rate_hz: float | None = None,
+    ) -> None:
+        """`motion` comes from `Motion.in_rest_axes` for the same bones as the rig. `bones` None: all.
+        `keys`: on whole scene frames, or one per sample of the file on sub-frames. `rate_hz`: where the file's own
+        is missing or wrong."""
+
+class Filter:
+    """A filter on some bones."""
+
+    def __init__(
+        self,
+        *,
+        kind: FilterKind,
+        depth: int,
+        label: str = "",
+        bones: Sequence[int] | None = None,
+        channels: Literal["ROTATION", "CHANNELS"] = "ROTATION",
+    ) -> None: ...
+
+class BaseChannel:
+    """What one bone had before the first entry: keys of "rotation_quaternion" (4), "rotation_euler" (3) or
+    "location" (3), `frames` ascending."""
+
+    def __init__(self, bone: int, channel: str, frames: Floats, values: Floats) -> None: ...
+
+class ResultChannel:
+    """What one channel of one bone became. Outside `start`..`end` the base's own keys stay as they are."""
+
+    bone: int
+    channel: str
+    """ "rotation_quaternion", "rotation_euler" or "location"."""
+    start: float
+    end: float
+    coordinates: NDArray[np.float32]
+    """(components, 2 * keys) frame and value by turns: one row is what `foreach_set("co", ...)` takes."""
+    interpolation: NDArray[np.int32] | None
+    """Per key 0 constant, 1 linear, 2 Bezier (Blender's numbers); None where all are linear."""
+
+class Notice:
+    entry: int
+    """Index of the entry it is about."""
+    text: str
+
+class Evaluation:
+    channels: list[ResultChannel]
+    """Only channels that an entry touches."""
+    notices: list[Notice]
+    start: float
+    end: float
+    """First and last key of what the entries made."""
+
+def evaluate(rig: Rig, base: Sequence[BaseChannel], entries: Sequence[Track | Filter]) -> Evaluation:
+    """Base motion + entries, in order, -> the resulting motion per channel, with what the user should know."""
+
+def digest(arrays: Sequence[NDArray[np.float32]]) -> str:
+    """A short hash of float32 arrays, to notice curves that were edited by hand."""

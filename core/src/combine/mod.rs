@@ -1,0 +1,1 @@
+//! One track over what was there before.

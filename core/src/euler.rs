@@ -1,0 +1,1 @@
+//! Euler angles of any order <-> unit quaternions.

@@ -1,0 +1,1 @@
+//! Median, moving average and weighted average over frames.

@@ -1,0 +1,1 @@
+//! Keys of one channel over scene frames.

@@ -1,0 +1,29 @@
+//! Reads motion capture, combines it and filters it.
+//!
+//! This crate knows neither Python nor Blender: bytes and plain data in, plain data out.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`] |
+//! | [`pose`] | forward kinematics |
+//! | [`sample`] | values between frames, other rates |
+//! | [`combine`] | cut, scale, blend and align one track over what was there |
+//! | [`filter`] | median, moving average, weighted average |
+//! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
+
+pub mod combine;
+pub mod error;
+pub mod euler;
+pub mod filter;
+pub mod formats;
+pub mod keys;
+pub mod motion;
+pub mod pose;
+pub mod read;
+pub mod sample;
+pub mod skeleton;
+pub mod stack;
+
+pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
+pub use motion::{BoneMotion, Motion};
+pub use skeleton::{Bone, Dof, EulerOrder, LengthUnit, Limit, Skeleton};

@@ -1,0 +1,1 @@
+//! Base motion + ordered tracks and filters -> the resulting channels.
