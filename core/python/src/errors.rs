@@ -84,18 +84,23 @@ pub fn misfit(path: &str, error: MisfitError) -> PyErr {
 pub fn parse(path: &str, error: &ParseError) -> PyErr {
     Python::attach(|py| {
         let message = format!("{path}, {error}");
-        raise(py, |types| &types.parse, message, |value| {
-            let (line, column, byte) = match error.position {
-                Position::Text { line, column } => (Some(line), Some(column), None),
-                Position::Byte(offset) => (None, None, Some(offset)),
-            };
-            value.setattr("path", path)?;
-            value.setattr("line", line)?;
-            value.setattr("column", column)?;
-            value.setattr("byte", byte)?;
-            value.setattr("expected", &error.expected)?;
-            value.setattr("found", &error.found)
-        })
+        raise(
+            py,
+            |types| &types.parse,
+            message,
+            |value| {
+                let (line, column, byte) = match error.position {
+                    Position::Text { line, column } => (Some(line), Some(column), None),
+                    Position::Byte(offset) => (None, None, Some(offset)),
+                };
+                value.setattr("path", path)?;
+                value.setattr("line", line)?;
+                value.setattr("column", column)?;
+                value.setattr("byte", byte)?;
+                value.setattr("expected", &error.expected)?;
+                value.setattr("found", &error.found)
+            },
+        )
     })
 }
 
