@@ -102,9 +102,12 @@ ifeq ($(shell uname -sm),Linux x86_64)
 PORTABLE := --zig --target x86_64-unknown-linux-gnu --compatibility manylinux_2_28
 endif
 
+# Messages of panics name source files: without the folders of the machine that built them.
+PATHLESS := --remap-path-prefix=$(CURDIR)=motion-theater --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=cargo
+
 build/wheels/.built: $(RUST) build/venv/tools/.ready
 	rm -rf build/wheels
-	PATH="$(CURDIR)/$(TOOLS):$$PATH" $(TOOLS)/maturin build --release --locked $(PORTABLE) \
+	PATH="$(CURDIR)/$(TOOLS):$$PATH" RUSTFLAGS="$(PATHLESS)" $(TOOLS)/maturin build --release --locked $(PORTABLE) \
 	    --manifest-path core/python/Cargo.toml --out build/wheels
 	touch $@
 
