@@ -1,4 +1,4 @@
-"""Builds the extension: `python .ci/package.py WHEEL...`, with a Python that has bpy, leaves one zip per wheel in dist/.
+"""Builds the extension: `python .ci/package.py WHEEL...`, with a Python that has bpy, leaves a zip per wheel in dist/.
 
 The zip is made and checked by Blender's own packaging program, which the bpy package brings along.
 """
