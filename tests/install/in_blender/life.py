@@ -6,15 +6,14 @@ import sys
 from importlib import import_module
 from typing import Any
 
-import addon_utils
 import bpy
-from session import EXTENSION, finish, install
+from session import finish, install, is_enabled, set_enabled
 
 
 def traces() -> dict[str, Any]:
     """Return what the extension adds to Blender while it is enabled."""
     return {
-        "loaded": addon_utils.check(EXTENSION)[1],
+        "loaded": is_enabled(),
         "operator": hasattr(bpy.types, "MOTION_THEATER_OT_import_skeleton"),
         "stack": "motion_theater" in bpy.types.Object.bl_rna.properties,
         "panels": sorted(name for name in dir(bpy.types) if name.startswith("MOTION_THEATER_PT_")),
@@ -36,10 +35,10 @@ install(package)
 facts["installed"] = traces()
 facts["bones"] = bones_of_import(skeleton)
 
-addon_utils.disable(EXTENSION, default_set=True)
+set_enabled(enabled=False)
 facts["disabled"] = traces()
 
-addon_utils.enable(EXTENSION, default_set=True)
+set_enabled(enabled=True)
 facts["enabled again"] = traces()
 facts["bones again"] = bones_of_import(skeleton)
 

@@ -1,4 +1,4 @@
-"""Gives the poses of a file: one made with the extension (save BLEND ZIP SKELETON MOTION) or one opened (open BLEND)."""
+"""save BLEND ZIP SKELETON MOTION: makes a file with the extension. open BLEND: opens it without. Gives its poses."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ import sys
 from importlib.util import find_spec
 from typing import Any
 
-import addon_utils
 import bpy
-from session import EXTENSION, finish, install
+from session import finish, install, is_enabled
 
 EVERY_NTH_FRAME = 10
 
@@ -40,5 +39,5 @@ try:
     has_module = find_spec("motion_theater") is not None
 except ModuleNotFoundError:
     has_module = False
-facts: dict[str, Any] = {"extension": addon_utils.check(EXTENSION)[1], "module": has_module, "poses": poses()}
+facts: dict[str, Any] = {"extension": is_enabled(), "module": has_module, "poses": poses()}
 finish(facts)

@@ -12,6 +12,8 @@ from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from typing import Any
 
+import bpy
+
 EXTENSION = "bl_ext.user_default.motion_theater"
 
 
@@ -40,10 +42,22 @@ def finish(facts: dict[str, Any]) -> None:
     os._exit(0)
 
 
+def is_enabled() -> bool:
+    """Return whether the extension is loaded."""
+    import addon_utils  # is there only once bpy is
+
+    return bool(addon_utils.check(EXTENSION)[1])
+
+
+def set_enabled(*, enabled: bool) -> None:
+    """Do what the checkbox in the preferences does."""
+    import addon_utils
+
+    (addon_utils.enable if enabled else addon_utils.disable)(EXTENSION, default_set=True)
+
+
 def install(package: str) -> None:
     """Install the zip and enable it. Blender reports success even when it refuses: look at what became of it."""
-    import bpy
-
     bpy.ops.extensions.package_install_files(
         filepath=package, repo="user_default", enable_on_install=True, overwrite=True
     )
