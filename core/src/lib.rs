@@ -19,10 +19,13 @@ pub mod formats;
 pub mod keys;
 pub mod motion;
 pub mod pose;
+pub mod rate;
 pub mod read;
+pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
 pub mod stack;
+pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
 pub use motion::{BoneMotion, Motion};
