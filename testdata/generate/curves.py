@@ -25,9 +25,7 @@ def spline(times: Floats, keys: Sequence[tuple[float, float]]) -> Floats:
     velocities = np.linalg.solve(system, wanted)
     x = np.clip(times, knots[0], knots[-1])
     i = np.clip(np.searchsorted(knots, x, side="right") - 1, 0, size - 2)
-    return hermite(
-        (x - knots[i]) / steps[i], values[i], values[i + 1], velocities[i] * steps[i], velocities[i + 1] * steps[i]
-    )
+    return hermite((x - knots[i]) / steps[i], values[i], values[i + 1], velocities[i] * steps[i], velocities[i + 1] * steps[i])
 
 
 def hermite(u: Floats, start: Floats, end: Floats, leave: Floats, arrive: Floats) -> Floats:

@@ -62,7 +62,9 @@ def recorded(clip: str, dofs: Dofs, spikes: tuple[Spike, ...]) -> Dofs:
         sizes = [
             POSITION_NOISE_M if dof.startswith("t") else np.radians(noise_deg(name)) for dof in skeleton.dofs_of(name)
         ]
-        columns = [size * gaussian(f"{clip} {name} {column}", len(values)) for column, size in enumerate(sizes)]
+        columns = [
+            size * gaussian(f"{clip} {name} {column}", len(values)) for column, size in enumerate(sizes)
+        ]
         noisy[name] = values + np.stack(columns, axis=-1)
     for spike in spikes:
         column = skeleton.dofs_of(spike.bone).index(spike.dof)
