@@ -48,9 +48,9 @@ impl EulerOrder {
 
     /// Returns the rotation by `angles` (radians, indexed x, y, z): the first axis of the order is applied first.
     pub fn quat(self, angles: [f64; 3]) -> DQuat {
-        self.axes().into_iter().fold(DQuat::IDENTITY, |rotation, axis| {
-            DQuat::from_axis_angle(DVec3::AXES[axis], angles[axis]) * rotation
-        })
+        self.axes()
+            .into_iter()
+            .fold(DQuat::IDENTITY, |rotation, axis| DQuat::from_axis_angle(DVec3::AXES[axis], angles[axis]) * rotation)
     }
 
     /// Returns angles in radians that give `rotation`, the middle one within a quarter turn.
@@ -124,13 +124,6 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|axis| (a[axis] - b[axis]).abs()).sum()
 }
 
-/// Removes jumps of whole turns: afterwards neighbours differ by at most half a turn on each axis.
-pub fn unwrap_turns(angles: &mut [[f64; 3]]) {
-    for frame in 1..angles.len() {
-        angles[frame] = nearest_turns(angles[frame], angles[frame - 1]);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -167,13 +160,6 @@ mod tests {
             assert!(angle_between(order.quat(found), order.quat(angles)) < 1e-7, "{order}: {found:?}");
             assert!((found[k] - hint[k]).abs() < 1e-9, "{order}: {found:?}");
         }
-    }
-
-    #[test]
-    fn unwrapping_leaves_steps_below_half_a_turn() {
-        let mut angles = [[3.0, 0.0, 0.0], [-3.0, 0.0, 0.0], [-2.9, 0.0, 0.0]];
-        unwrap_turns(&mut angles);
-        assert!((angles[1][0] - (TAU - 3.0)).abs() < 1e-12 && (angles[2][0] - (TAU - 2.9)).abs() < 1e-12);
     }
 
     proptest! {

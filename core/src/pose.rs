@@ -9,7 +9,7 @@
 use glam::{DQuat, DVec3};
 
 use crate::motion::{BoneMotion, Motion};
-use crate::sample::{sample_rotation, sample_scalar, sample_vector, Sampling};
+use crate::sample::{sample_rotation, sample_value, sample_vector, Sampling};
 use crate::skeleton::{Bone, Skeleton};
 
 /// Where every bone is at one moment; one item per bone.
@@ -35,9 +35,10 @@ pub fn pose(skeleton: &Skeleton, motion: &Motion, frame: f64) -> Pose {
         let (start, turned, stretched) = bone.parent.map_or((DVec3::ZERO, DQuat::IDENTITY, DVec3::ZERO), |parent| {
             (pose.heads[parent], pose.rotations[parent], stretches[parent])
         });
-        let head = start + turned * (bone.offset + sample_vector(&samples.translations, at, Sampling::Linear) + stretched);
+        let head =
+            start + turned * (bone.offset + sample_vector(&samples.translations, at, Sampling::Linear) + stretched);
         let rotation = turned * sample_rotation(&samples.rotations, at, Sampling::Linear);
-        let stretch = stretch_direction(bone) * sample_scalar(&samples.stretches, at, Sampling::Linear);
+        let stretch = stretch_direction(bone) * sample_value(&samples.stretches, at, Sampling::Linear);
         pose.heads.push(head);
         pose.tails.push(head + rotation * (bone.tail + stretch));
         pose.rotations.push(rotation);

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 
-use crate::euler::unwrap_turns;
+use crate::filter::unwrap_angles;
 use crate::motion::{BoneMotion, Motion};
 use crate::pose::stretch_direction;
 use crate::skeleton::{EulerOrder, Skeleton};
@@ -28,11 +28,14 @@ impl Motion {
     ///
     /// Where a bone wants Euler angles and its axes and order are the file's own, the angles are the file's own
     /// numbers, without jumps of whole turns.
+    #[must_use]
     pub fn in_rest_axes(&self, skeleton: &Skeleton, host: &[RestAxes], scale: f64) -> Self {
         let bones = host
             .par_iter()
             .map(|host| {
-                let Some(index) = host.bone.filter(|&index| index < self.bones.len()) else { return BoneMotion::default() };
+                let Some(index) = host.bone.filter(|&index| index < self.bones.len()) else {
+                    return BoneMotion::default();
+                };
                 let bone = &self.bones[index];
                 let (rotations, angles) = rotations(bone, host);
                 let turned = host.axes.normalize();
@@ -77,7 +80,7 @@ fn rotations(bone: &BoneMotion, host: &RestAxes) -> (Vec<DQuat>, Vec<[f64; 3]>) 
         return (turned, angles);
     }
     let mut angles = bone.angles.clone();
-    unwrap_turns(&mut angles);
+    unwrap_angles(&mut angles);
     let mut last = DQuat::IDENTITY;
     let own = angles.iter().map(|angles| {
         let rotation = order.quat(*angles);

@@ -3,10 +3,10 @@
 use glam::{DQuat, DVec3};
 
 use crate::error::ParameterError;
-use crate::euler::unwrap_turns;
-use crate::filter::{filter_angles, filter_rotations, filter_vectors, Depth, FilterKind};
+use crate::filter::components::by_component;
+use crate::filter::{filter_angles, filter_rotations, filter_values, unwrap_angles, Depth, FilterKind};
 use crate::motion::BoneMotion;
-use crate::sample::{sample_angles, sample_rotation, sample_vector, Sampling};
+use crate::sample::{sample_angles, sample_rotation, sample_vector, slerp, Sampling};
 use crate::skeleton::EulerOrder;
 
 /// How a crossfade mixes two rotations.
@@ -87,7 +87,13 @@ pub trait Value: Copy + PartialEq + Send + Sync + Default {
     fn crossfade(old: &[Self], new: &[Self], weights: &[f64], blend: Blend, frame: &EulerFrame) -> Vec<Self>;
 
     /// Filters evenly spaced values.
-    fn filter(values: &[Self], kind: FilterKind, depth: Depth, channels: FilterChannels, frame: &EulerFrame) -> Vec<Self>;
+    fn filter(
+        values: &[Self],
+        kind: FilterKind,
+        depth: Depth,
+        channels: FilterChannels,
+        frame: &EulerFrame,
+    ) -> Vec<Self>;
 }
 
 fn mix_each<V: Value>(old: &[V], new: &[V], weights: &[f64]) -> Vec<V> {
@@ -96,6 +102,18 @@ fn mix_each<V: Value>(old: &[V], new: &[V], weights: &[f64]) -> Vec<V> {
 
 fn lerp_angles(from: [f64; 3], to: [f64; 3], t: f64) -> [f64; 3] {
     std::array::from_fn(|axis| from[axis] * (1.0 - t) + to[axis] * t)
+}
+
+fn filtered_rotations(values: &[DQuat], kind: FilterKind, depth: Depth) -> Vec<DQuat> {
+    let mut filtered = vec![DQuat::IDENTITY; values.len()];
+    filter_rotations(values, &mut filtered, kind, depth);
+    filtered
+}
+
+fn filtered_angles(values: &[[f64; 3]], kind: FilterKind, depth: Depth) -> Vec<[f64; 3]> {
+    let mut filtered = vec![[0.0; 3]; values.len()];
+    filter_angles(values, &mut filtered, kind, depth);
+    filtered
 }
 
 impl Value for DVec3 {
@@ -118,7 +136,9 @@ impl Value for DVec3 {
     }
 
     fn filter(values: &[Self], kind: FilterKind, depth: Depth, _: FilterChannels, _: &EulerFrame) -> Vec<Self> {
-        filter_vectors(values, kind, depth)
+        let rows: Vec<_> = values.iter().map(DVec3::to_array).collect();
+        let rows = by_component(&rows, |channel, out| filter_values(channel, out, kind, depth));
+        rows.into_iter().map(DVec3::from_array).collect()
     }
 }
 
@@ -129,7 +149,7 @@ impl Value for DQuat {
         } else if t >= 1.0 {
             other
         } else {
-            self.normalize().slerp(other.normalize(), t)
+            slerp(self.normalize(), other.normalize(), t)
         }
     }
 
@@ -163,12 +183,18 @@ impl Value for DQuat {
             .collect()
     }
 
-    fn filter(values: &[Self], kind: FilterKind, depth: Depth, channels: FilterChannels, frame: &EulerFrame) -> Vec<Self> {
+    fn filter(
+        values: &[Self],
+        kind: FilterKind,
+        depth: Depth,
+        channels: FilterChannels,
+        frame: &EulerFrame,
+    ) -> Vec<Self> {
         match channels {
-            FilterChannels::Rotation => filter_rotations(values, kind, depth),
+            FilterChannels::Rotation => filtered_rotations(values, kind, depth),
             FilterChannels::Each => {
                 let angles = frame.continuous(values.iter().copied(), [0.0; 3]);
-                filter_angles(&angles, kind, depth).into_iter().map(|angles| frame.quat(angles)).collect()
+                filtered_angles(&angles, kind, depth).into_iter().map(|angles| frame.quat(angles)).collect()
             }
         }
     }
@@ -180,10 +206,7 @@ impl Value for Turn {
     }
 
     fn sample(bone: &BoneMotion, at: f64, sampling: Sampling) -> Option<Self> {
-        Some(Self {
-            rotation: DQuat::sample(bone, at, sampling)?,
-            angles: sample_angles(&bone.angles, at, sampling),
-        })
+        Some(Self { rotation: DQuat::sample(bone, at, sampling)?, angles: sample_angles(&bone.angles, at, sampling) })
     }
 
     fn go_on_from(values: &mut [Self], neighbour: Self, frame: &EulerFrame) {
@@ -229,17 +252,24 @@ impl Value for Turn {
         mixed
     }
 
-    fn filter(values: &[Self], kind: FilterKind, depth: Depth, channels: FilterChannels, frame: &EulerFrame) -> Vec<Self> {
-        let mut angles: Vec<_> = values.iter().map(|value| frame.order.angles_near(value.rotation, value.angles)).collect();
-        unwrap_turns(&mut angles);
-        let angles = filter_angles(&angles, kind, depth);
+    fn filter(
+        values: &[Self],
+        kind: FilterKind,
+        depth: Depth,
+        channels: FilterChannels,
+        frame: &EulerFrame,
+    ) -> Vec<Self> {
+        let mut angles: Vec<_> =
+            values.iter().map(|value| frame.order.angles_near(value.rotation, value.angles)).collect();
+        unwrap_angles(&mut angles);
+        let angles = filtered_angles(&angles, kind, depth);
         match channels {
             FilterChannels::Each => {
                 angles.into_iter().map(|angles| Self { rotation: frame.order.quat(angles), angles }).collect()
             }
             FilterChannels::Rotation => {
                 let rotations: Vec<_> = values.iter().map(|value| value.rotation).collect();
-                let rotations = filter_rotations(&rotations, kind, depth);
+                let rotations = filtered_rotations(&rotations, kind, depth);
                 rotations.into_iter().zip(angles).map(|(rotation, angles)| Self { rotation, angles }).collect()
             }
         }

@@ -55,7 +55,11 @@ fn heading(rotation: DQuat, up: DVec3) -> DQuat {
     let along = up * rotation.xyz().dot(up);
     let twist = DQuat::from_xyzw(along.x, along.y, along.z, rotation.w);
     // A half turn about a level axis has no heading of its own.
-    if twist.length() < 1e-9 { DQuat::IDENTITY } else { twist.normalize() }
+    if twist.length() < 1e-9 {
+        DQuat::IDENTITY
+    } else {
+        twist.normalize()
+    }
 }
 
 #[cfg(test)]
@@ -64,7 +68,8 @@ mod tests {
     use proptest::prelude::*;
 
     fn rotation() -> impl Strategy<Value = DQuat> {
-        (-1.0..1.0f64, -1.0..1.0f64, -1.0..1.0f64, 0.1..1.0f64).prop_map(|(x, y, z, w)| DQuat::from_xyzw(x, y, z, w).normalize())
+        (-1.0..1.0f64, -1.0..1.0f64, -1.0..1.0f64, 0.1..1.0f64)
+            .prop_map(|(x, y, z, w)| DQuat::from_xyzw(x, y, z, w).normalize())
     }
 
     fn position() -> impl Strategy<Value = DVec3> {

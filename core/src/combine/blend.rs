@@ -115,6 +115,7 @@ mod tests {
         [borders.start, borders.end].map(|border| border.and_then(|border| border.depth))
     }
 
+    #[allow(clippy::unnecessary_wraps)] // reads as the depths that it is compared with
     const fn depth(before: i64, after: i64) -> Option<Depth> {
         Some(Depth { before, after })
     }

@@ -37,8 +37,7 @@ pub fn lay_over<V: Value>(old: &Keys<V>, new: impl Fn(f64) -> Option<V>, manner:
     let Manner { track, blend_depth, blend, frame } = manner;
     let borders = Borders::find(old.range(), track, blend_depth);
     let (mut start, mut end) = borders.affected(track);
-    let grid: Vec<(f64, V)> =
-        track.keys(start, end).into_iter().filter_map(|(at, x)| Some((at, new(x)?))).collect();
+    let grid: Vec<(f64, V)> = track.keys(start, end).into_iter().filter_map(|(at, x)| Some((at, new(x)?))).collect();
     let (before, after) = old.outside(start, end);
 
     let mut coming: Vec<V> = grid.iter().map(|&(_, value)| value).collect();
@@ -54,7 +53,8 @@ pub fn lay_over<V: Value>(old: &Keys<V>, new: impl Fn(f64) -> Option<V>, manner:
     let mut keys = Vec::with_capacity(before.len() + grid.len() + after.len());
     keys.extend_from_slice(before);
     if let Some(last) = before.last().copied() {
-        bridge(&mut keys, last, track.start, blend_depth.is_some(), &mut start);
+        let first_new = start;
+        bridge(&mut keys, last, first_new, blend_depth.is_some(), &mut start);
     }
     keys.extend(grid.iter().zip(values).map(|(&(frame, _), value)| Key {
         frame,
@@ -90,8 +90,7 @@ fn crossfade<V: Value>(
     while let Some(zone_start) = (from..weights.len()).find(is_mixed) {
         let zone_end = (zone_start..weights.len()).find(|index| !is_mixed(index)).unwrap_or(weights.len());
         let zone = zone_start..zone_end;
-        let was: Vec<V> =
-            grid[zone.clone()].iter().map(|&(at, value)| old.at(at).unwrap_or(value)).collect();
+        let was: Vec<V> = grid[zone.clone()].iter().map(|&(at, value)| old.at(at).unwrap_or(value)).collect();
         let mixed = V::crossfade(&was, &coming[zone.clone()], &weights[zone.clone()], blend, frame);
         values[zone].copy_from_slice(&mixed);
         from = zone_end;
@@ -127,7 +126,11 @@ mod tests {
     fn constant(frames: std::ops::RangeInclusive<i64>, value: f64) -> Keys<DVec3> {
         Keys(
             frames
-                .map(|frame| Key { frame: frame as f64, value: DVec3::splat(value), interpolation: Interpolation::Linear })
+                .map(|frame| Key {
+                    frame: frame as f64,
+                    value: DVec3::splat(value),
+                    interpolation: Interpolation::Linear,
+                })
                 .collect(),
         )
     }

@@ -74,7 +74,9 @@ impl Placement {
             return Err(ParameterError(format!("the cut ends at frame {to}, before it starts at frame {from}")));
         }
         if to < first || from > last {
-            return Err(ParameterError(format!("the cut {from} to {to} lies outside the clip's frames {first} to {last}")));
+            return Err(ParameterError(format!(
+                "the cut {from} to {to} lies outside the clip's frames {first} to {last}"
+            )));
         }
         let (from, to) = (from.max(first) as f64, to.min(last) as f64);
         let (first, last) = (first as f64, last as f64);
@@ -113,13 +115,21 @@ impl Placement {
     /// Returns the file frame that scene frame `frame` shows; a whole number is exactly that.
     pub fn file_frame(&self, frame: f64) -> f64 {
         let x = self.file_anchor + (frame - self.scene_anchor) * self.numerator / self.denominator;
-        if (x - x.round()).abs() < SAME_FRAME { x.round() } else { x }
+        if (x - x.round()).abs() < SAME_FRAME {
+            x.round()
+        } else {
+            x
+        }
     }
 
     /// Returns the scene frame at which file frame `x` is shown.
     fn scene_frame(&self, x: f64) -> f64 {
         let frame = self.scene_anchor + (x - self.file_anchor) * self.denominator / self.numerator;
-        if (frame - frame.round()).abs() < SAME_FRAME { frame.round() } else { frame }
+        if (frame - frame.round()).abs() < SAME_FRAME {
+            frame.round()
+        } else {
+            frame
+        }
     }
 
     /// Returns how many file frames one scene frame advances.
@@ -201,7 +211,10 @@ mod tests {
     fn ranges_that_run_backwards_are_refused_in_words() {
         let refused = |cut, scale| Placement::new((1, 113), cut, scale, 1.0, KeySpacing::Frames).unwrap_err().0;
         assert_eq!(refused(span(60, 50), Span::default()), "the cut ends at frame 50, before it starts at frame 60");
-        assert_eq!(refused(span(200, 300), Span::default()), "the cut 200 to 300 lies outside the clip's frames 1 to 113");
+        assert_eq!(
+            refused(span(200, 300), Span::default()),
+            "the cut 200 to 300 lies outside the clip's frames 1 to 113"
+        );
         assert_eq!(
             refused(Span::default(), span(150, 0)),
             "the scaled track would end at frame 113, before it starts at frame 150"

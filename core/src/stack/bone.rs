@@ -143,7 +143,12 @@ impl<V: Value> Lane<V> {
 }
 
 /// Takes bone `index` of the rig through all entries.
-pub(super) fn evaluate<R: Rotation>(rig: &Rig, index: usize, base: &[BaseChannel], entries: &[Prepared<'_>]) -> Outcome {
+pub(super) fn evaluate<R: Rotation>(
+    rig: &Rig,
+    index: usize,
+    base: &[BaseChannel],
+    entries: &[Prepared<'_>],
+) -> Outcome {
     let bone = &rig.bones[index];
     let frame = bone.euler_frame();
     let rotation_channel = match bone.mode {
@@ -237,7 +242,11 @@ impl<R: Rotation> State<'_, R> {
     fn filter(&mut self, filter: &FilterEntry) -> Vec<Event> {
         self.rotation.filter(filter, &self.frame);
         self.location.filter(filter, &self.frame);
-        if self.rotation.keys.0.is_empty() && self.location.keys.0.is_empty() { Vec::new() } else { vec![Event::Filtered] }
+        if self.rotation.keys.0.is_empty() && self.location.keys.0.is_empty() {
+            Vec::new()
+        } else {
+            vec![Event::Filtered]
+        }
     }
 
     /// The root in armature space.
@@ -262,7 +271,8 @@ impl<R: Rotation> State<'_, R> {
     /// Where the new motion is to be moved so that it goes on from the old root; `None` where there is none.
     fn rigid_start(&self, track: &PreparedTrack<'_>, samples: &BoneMotion) -> Option<Rigid> {
         let alignment = track.track.preserve.filter(|_| self.bone.parent.is_none())?;
-        let begins_before = |range: Option<(f64, f64)>| range.is_some_and(|(first, _)| first < track.placement.start - SAME_FRAME);
+        let begins_before =
+            |range: Option<(f64, f64)>| range.is_some_and(|(first, _)| first < track.placement.start - SAME_FRAME);
         if !begins_before(self.rotation.keys.range()) && !begins_before(self.location.keys.range()) {
             return None;
         }
@@ -287,7 +297,8 @@ impl<R: Rotation> State<'_, R> {
         let rigid = align(ended, follows, self.up, alignment);
 
         let turned: Vec<R> = following(&self.rotation.keys, end).map(|key| self.turn(key.value, &rigid)).collect();
-        let shifted: Vec<DVec3> = following(&self.location.keys, end).map(|key| self.shift(key.value, &rigid)).collect();
+        let shifted: Vec<DVec3> =
+            following(&self.location.keys, end).map(|key| self.shift(key.value, &rigid)).collect();
         let last_turn = self.rotation.keys.at(end);
         replace_following(&mut self.rotation, end, turned, last_turn, &self.frame);
         let last_shift = self.location.keys.at(end);
@@ -299,7 +310,13 @@ fn following<V: Copy>(keys: &Keys<V>, end: f64) -> impl Iterator<Item = &Key<V>>
     keys.0.iter().filter(move |key| key.frame > end + SAME_FRAME)
 }
 
-fn replace_following<V: Value>(lane: &mut Lane<V>, end: f64, mut values: Vec<V>, neighbour: Option<V>, frame: &EulerFrame) {
+fn replace_following<V: Value>(
+    lane: &mut Lane<V>,
+    end: f64,
+    mut values: Vec<V>,
+    neighbour: Option<V>,
+    frame: &EulerFrame,
+) {
     let Some((_, last)) = lane.keys.range().filter(|_| !values.is_empty()) else { return };
     if let Some(neighbour) = neighbour {
         V::go_on_from(&mut values, neighbour, frame);

@@ -117,7 +117,9 @@ impl Track {
         let known_rate = self.rate_hz.or(motion.rate_hz);
         let ratio = usual_rate(known_rate.unwrap_or(ASSUMED_RATE_HZ)) / usual_rate(rig.rate_hz);
         if !(ratio.is_finite() && (1e-4..=1e4).contains(&ratio)) {
-            return Err(ParameterError(format!("cannot fit a rate into the scene's: {ratio} file frames per scene frame")));
+            return Err(ParameterError(format!(
+                "cannot fit a rate into the scene's: {ratio} file frames per scene frame"
+            )));
         }
         let file = (motion.first_frame, motion.last_frame());
         let place = |spacing| Placement::new(file, self.cut, self.scale, ratio, spacing);

@@ -34,7 +34,11 @@ impl Event {
         let reduced = |border: Border| {
             let depth = border.depth?;
             let full = i64::from(asked);
-            (depth.before < full || depth.after < full).then_some(Self::DepthReduced { border: border.frame, asked, depth })
+            (depth.before < full || depth.after < full).then_some(Self::DepthReduced {
+                border: border.frame,
+                asked,
+                depth,
+            })
         };
         [borders.start, borders.end].into_iter().flatten().filter_map(reduced).collect()
     }
@@ -52,7 +56,9 @@ pub(super) fn collect(rig: &Rig, entries: &[Prepared<'_>], outcomes: &[Outcome])
             .collect();
         let texts = match entry {
             Prepared::Track(track) => of_track(rig, track, &events),
-            Prepared::Filter(_) if events.is_empty() => vec!["There is nothing to filter: the bones have no keys".into()],
+            Prepared::Filter(_) if events.is_empty() => {
+                vec!["There is nothing to filter: the bones have no keys".into()]
+            }
             Prepared::Filter(_) => Vec::new(),
         };
         notices.extend(texts.into_iter().map(|text| Notice { entry: number, text }));
@@ -94,15 +100,11 @@ fn depth_notices(rig: &Rig, events: &[(usize, Event)]) -> Vec<String> {
     }
     let sentence = |event: &Event| {
         let Event::DepthReduced { border, asked, depth } = *event else { return None };
-        let mut text = format!(
-            "Blend depth {asked} reduced to {} before and {} after frame {border}",
-            depth.before.max(0),
-            depth.after.max(0)
-        );
-        if seen.len() > 2 {
-            text += &format!(" for {}", list(&named(rig, events, |other| other == *event)));
-        }
-        Some(text)
+        let (before, after) = (depth.before.max(0), depth.after.max(0));
+        let text = format!("Blend depth {asked} reduced to {before} before and {after} after frame {border}");
+        // One sentence per border speaks for itself; several say whom they mean.
+        let bones = || list(&named(rig, events, |other| other == *event));
+        Some(if seen.len() > 2 { format!("{text} for {}", bones()) } else { text })
     };
     seen.iter().filter_map(sentence).collect()
 }

@@ -33,7 +33,9 @@ impl Channel {
 
     /// Returns the channel of that name.
     pub fn from_name(name: &str) -> Option<Self> {
-        [Self::RotationQuaternion, Self::RotationEuler, Self::Location].into_iter().find(|channel| channel.name() == name)
+        [Self::RotationQuaternion, Self::RotationEuler, Self::Location]
+            .into_iter()
+            .find(|channel| channel.name() == name)
     }
 }
 

@@ -34,7 +34,12 @@ impl Source {
             Some((for_ratio, motion)) if *for_ratio == ratio => Arc::clone(motion),
             _ => {
                 let bones = self.motion.bones.iter().map(|bone| lowpass(bone, ratio)).collect();
-                let motion = Arc::new(Motion { bones, first_frame: self.motion.first_frame, frame_count: self.motion.frame_count, rate_hz: self.motion.rate_hz });
+                let motion = Arc::new(Motion {
+                    bones,
+                    first_frame: self.motion.first_frame,
+                    frame_count: self.motion.frame_count,
+                    rate_hz: self.motion.rate_hz,
+                });
                 *kept = Some((ratio, Arc::clone(&motion)));
                 motion
             }
