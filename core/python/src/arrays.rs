@@ -1,8 +1,8 @@
 //! numpy arrays <-> the core's vectors and quaternions.
 
 use glam::{DQuat, DVec3};
-use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods, ToPyArray};
 use numpy::ndarray::Array2;
+use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

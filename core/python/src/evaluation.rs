@@ -78,9 +78,7 @@ pub fn digest(arrays: Vec<PyReadonlyArrayDyn<'_, f32>>) -> PyResult<String> {
     for array in &arrays {
         let values = array.as_slice()?;
         hash.update(&(values.len() as u64).to_le_bytes());
-        for value in values {
-            hash.update(&value.to_le_bytes());
-        }
+        hash.update(bytemuck::cast_slice(values));
     }
     Ok(format!("{:016x}", hash.digest()))
 }

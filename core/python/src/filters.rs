@@ -16,7 +16,9 @@ pub fn kind(name: &str) -> PyResult<FilterKind> {
         "MEDIAN" => Ok(FilterKind::Median),
         "AVERAGE" => Ok(FilterKind::Average),
         "WEIGHTED" => Ok(FilterKind::Weighted),
-        other => Err(errors::parameter(&ParameterError(format!("expected MEDIAN, AVERAGE or WEIGHTED, found `{other}`")))),
+        other => {
+            Err(errors::parameter(&ParameterError(format!("expected MEDIAN, AVERAGE or WEIGHTED, found `{other}`"))))
+        }
     }
 }
 

@@ -87,8 +87,13 @@ impl PyMotion {
     }
 
     fn resampled(&self, py: Python<'_>, rate_hz: f64) -> PyResult<Self> {
-        let motion = py.detach(|| self.source.motion().resampled(rate_hz)).map_err(|error| errors::parameter(&error))?;
-        Ok(Self { source: Arc::new(Source::new(motion)), names: self.names.clone(), skeleton: Arc::clone(&self.skeleton) })
+        let motion =
+            py.detach(|| self.source.motion().resampled(rate_hz)).map_err(|error| errors::parameter(&error))?;
+        Ok(Self {
+            source: Arc::new(Source::new(motion)),
+            names: self.names.clone(),
+            skeleton: Arc::clone(&self.skeleton),
+        })
     }
 
     #[pyo3(signature = (names, axes, scale, *, orders=None))]
@@ -104,7 +109,8 @@ impl PyMotion {
         one_per_bone("axes", axes.len(), names.len())?;
         let orders = orders.unwrap_or_else(|| vec![None; names.len()]);
         one_per_bone("orders", orders.len(), names.len())?;
-        let own: HashMap<&str, usize> = self.names.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        let own: HashMap<&str, usize> =
+            self.names.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
         let host: Vec<RestAxes> = (names.iter().zip(axes).zip(orders))
             .map(|((name, axes), order)| {
                 let order = order.map(|order| order.parse::<EulerOrder>()).transpose();

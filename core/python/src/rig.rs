@@ -87,7 +87,10 @@ impl PyBaseChannel {
         let frames = frames.as_slice()?.to_vec();
         if values.shape() != [frames.len(), channel.components()] {
             let expected = (frames.len(), channel.components());
-            return Err(PyValueError::new_err(format!("values: expected shape {expected:?}, found {:?}", values.shape())));
+            return Err(PyValueError::new_err(format!(
+                "values: expected shape {expected:?}, found {:?}",
+                values.shape()
+            )));
         }
         if !frames.windows(2).all(|pair| pair[0] < pair[1]) {
             return Err(PyValueError::new_err("frames: expected ascending frames"));

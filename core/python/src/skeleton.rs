@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use motion_theater_core::formats::dof_word;
+use motion_theater_core::formats::asf::dof_word;
 use motion_theater_core::Skeleton;
 use numpy::PyArray2;
 use pyo3::prelude::*;
