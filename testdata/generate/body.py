@@ -85,7 +85,7 @@ def _column(plan: Plan) -> Dofs:
     total = np.stack([plan.bend, plan.twist, plan.lean], axis=-1)
     result: Dofs = {}
     for name, share in zip(BACK, (0.4, 0.3, 0.3), strict=True):
-        result[name] = np.radians(total * share + _alive(plan, name, 3, 0.5))
+        result[name] = np.radians(total * share + _alive(plan, name, 3, 0.8))
     # Turns are small, so that they may be added: what the head must do is its gaze less what carries it.
     carried = np.stack([plan.tilt + plan.bend, plan.twist, plan.list + plan.lean], axis=-1)
     gaze = np.stack([plan.gaze_down, plan.gaze_side, np.zeros_like(plan.gaze_side)], axis=-1)

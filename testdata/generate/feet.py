@@ -28,6 +28,14 @@ SLOPE = np.radians(skeleton.FOOT_SLOPE_DEG)
 ANKLE_M = SOLE_M + FOOT_M * np.sin(SLOPE)
 """Height of the ankle over a flat sole."""
 
+TOE_BEND_LIMIT = np.radians(42.0)
+"""When the heel rises further, the ball leaves the floor too and the foot stands on the tip of its toes."""
+
+TOE_BEND_SOFTNESS = 0.2
+
+TOUCHDOWN = 0.25
+"""Speed of the foot over the floor just before it touches down, as a share of its mean speed in the swing."""
+
 STEP_S = 1e-4
 """Time step for the speed with which a foot leaves and meets the floor."""
 
@@ -79,15 +87,24 @@ def raised(heading: Floats, elevation: Floats) -> Floats:
 def _stance_pitch(stance: Stance, times: Floats) -> Floats:
     landing = 1 - ease(times, stance.strike, stance.strike + stance.settle)
     # The heel rises ever faster until the foot leaves.
-    leaving = np.clip((times - stance.release + stance.roll) / stance.roll, 0.0, 1.0) ** 2.2
+    leaving = np.clip((times - stance.release + stance.roll) / stance.roll, 0.0, 1.0) ** 2.6
     return np.radians(stance.strike_pitch * landing + stance.release_pitch * leaving)
 
 
+def _toe_lift(pitch: Floats) -> Floats:
+    """How steeply the toes themselves fall from the ball to their tip once they cannot bend further."""
+    excess = -pitch - TOE_BEND_LIMIT
+    soft = 0.5 * (excess + np.hypot(excess, TOE_BEND_SOFTNESS))
+    none = 0.5 * (-TOE_BEND_LIMIT + np.hypot(TOE_BEND_LIMIT, TOE_BEND_SOFTNESS))
+    return np.maximum(soft - none, 0.0)
+
+
 def _stance_ankle(stance: Stance, times: Floats, pitch: Floats) -> Floats:
-    """The ankle of a foot that rolls over its heel (toes up) or its ball (heel up)."""
+    """The ankle of a foot that rolls over its heel (toes up), or over its ball and then its toes (heel up)."""
     heading = np.full(len(times), np.radians(stance.heading))
     ball = np.array([stance.x, SOLE_M, stance.z]) + np.zeros((len(times), 3))
-    over_ball = ball - FOOT_M * raised(heading, pitch - SLOPE)
+    tip = ball + TOES_M * forwards(heading)
+    over_ball = tip - TOES_M * raised(heading, -_toe_lift(pitch)) - FOOT_M * raised(heading, pitch - SLOPE)
     flat_ankle = ball - FOOT_M * raised(heading, np.full(len(times), -SLOPE))
     heel = flat_ankle - HEEL_BACK_M * forwards(heading)
     heel[:, 1] = 0.0
@@ -95,9 +112,13 @@ def _stance_ankle(stance: Stance, times: Floats, pitch: Floats) -> Floats:
     return np.where((pitch > 0)[:, None], over_heel, over_ball)
 
 
-def _swing_toes(u: Floats, before: Stance) -> Floats:
-    """Toes straighten soon after the release."""
-    return -np.radians(before.release_pitch) * (1 - ease(u, 0.0, 0.45))
+def _swing_toes(u: Floats, before: Stance, after: Stance, ball_height: Floats, pitch: Floats) -> Floats:
+    """Toes straighten after the release and get ready for a landing on the ball; the floor holds them up."""
+    leaving = np.radians(np.array(before.release_pitch))
+    bend = (-leaving - _toe_lift(leaving)) * (1 - ease(u, 0.0, 0.45))
+    bend = bend + max(-np.radians(after.strike_pitch), 0.0) * ease(u, 0.6, 1.0)
+    lowest = -np.arcsin(np.clip(ball_height / TOES_M, 0.0, 1.0))
+    return np.maximum(pitch + bend, lowest) - pitch
 
 
 def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03) -> FootPath:
@@ -111,7 +132,7 @@ def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03
         pitch[now] = _stance_pitch(stance, times[now])
         ankle[now] = _stance_ankle(stance, times[now], pitch[now])
         heading[now] = np.radians(stance.heading)
-        bend[now] = np.maximum(-pitch[now], 0.0)
+        bend[now] = np.maximum(-pitch[now], 0.0) - _toe_lift(pitch[now])
         planted |= now
     for before, after in zip(stances, stances[1:], strict=False):
         now = (times > before.release) & (times < after.strike)
@@ -122,13 +143,15 @@ def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03
         pitches = _stance_pitch(before, ends[0]), _stance_pitch(after, ends[1])
         ankles = _stance_ankle(before, ends[0], pitches[0]), _stance_ankle(after, ends[1], pitches[1])
         rates = [np.diff(pair, axis=0)[0] / STEP_S * duration for pair in (*pitches, *ankles)]
+        rates[3] = rates[3] + TOUCHDOWN * (ankles[1][0] - ankles[0][1])
         pitch[now] = hermite(u, pitches[0][1], pitches[1][0], rates[0] * 0.6, rates[1])
         column = u[:, None]
         ankle[now] = hermite(column, ankles[0][1], ankles[1][0], rates[2], rates[3])
         ankle[now, 1] += lift * 64 * (u * (1 - u)) ** 3
         turn = ease(u, 0.05, 0.95)
         heading[now] = np.radians(before.heading + (after.heading - before.heading) * turn)
-        bend[now] = _swing_toes(u, before)
+        ball_height = ankle[now, 1] + FOOT_M * np.sin(pitch[now] - SLOPE) - SOLE_M
+        bend[now] = _swing_toes(u, before, after, ball_height, pitch[now])
     return FootPath(ankle, heading, pitch, bend + wander(times, seed + " toes", np.radians(0.8), 0.9), planted)
 
 

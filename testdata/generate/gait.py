@@ -14,7 +14,7 @@ from .rotations import Floats
 
 STEP_S = 60.0 / 110.0
 STEP_M = 1.3 * STEP_S
-SWING_S = 0.41
+SWING_S = 0.42
 BEFORE = 3
 """Steps before the first frame, so that the clip begins in full stride."""
 
@@ -24,7 +24,7 @@ def walk(times: Floats) -> Dofs:
     count = int(times[-1] / STEP_S) + 2 * BEFORE + 2
     variation = gaussian("walk steps", 4 * count).reshape(count, 4)
     strikes = (np.arange(count) - BEFORE) * STEP_S + 0.008 * variation[:, 0]
-    places = (np.arange(count) - BEFORE) * STEP_M + 0.012 * variation[:, 1]
+    places = (np.arange(count) - BEFORE) * STEP_M + 0.010 * variation[:, 1]
     stances: dict[str, list[Stance]] = {"l": [], "r": []}
     for k in range(count - 2):
         side, s = ("l", 1) if k % 2 == 0 else ("r", -1)
@@ -36,9 +36,9 @@ def walk(times: Floats) -> Dofs:
                 z=places[k],
                 heading=s * (6.0 + variation[k, 3]),
                 strike_pitch=19.0 + 1.5 * variation[k, 2],
-                release_pitch=-56.0 + 2.0 * variation[k, 3],
+                release_pitch=-66.0 + 2.0 * variation[k, 3],
                 settle=0.12,
-                roll=0.36,
+                roll=0.37,
             )
         )
 
@@ -49,8 +49,8 @@ def walk(times: Floats) -> Dofs:
     root = np.stack(
         [
             0.02 * np.sin(half - 0.15) + wander(times, "walk x", 0.006, 4.0),
-            0.985 - 0.019 * np.cos(stride - 0.5) + wander(times, "walk y", 0.002, 3.0),
-            place - 0.445 + 0.008 * np.sin(stride),
+            0.996 - 0.0125 * np.cos(stride - 0.5) + wander(times, "walk y", 0.002, 3.0),
+            place - 0.474 + 0.008 * np.sin(stride),
         ],
         axis=-1,
     )

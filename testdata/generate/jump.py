@@ -93,7 +93,7 @@ def _centre(times: Floats, ground: Floats, standing: float) -> Floats:
     Waypoints are (time, place, speed, acceleration).
     """
     flight = LANDING_S - TAKE_OFF_S
-    take_off_y, landing_y = standing + 0.06, standing - 0.015
+    take_off_y, landing_y = standing + 0.07, standing - 0.01
     speed = (landing_y - take_off_y) / flight + GRAVITY * flight / 2
     take_off_z, landing_z = STEP_M + 0.06, STEP_M + JUMP_M - 0.13
     pace = (landing_z - take_off_z) / flight

@@ -46,7 +46,7 @@ def turn(times: Floats) -> Dofs:
     swinging = {side: _swing(times, side) for side in ("l", "r")}
     tilt = 3.5 + 0.6 * (swinging["l"] + swinging["r"])
     lift = 2.6 * (swinging["r"] - swinging["l"])
-    height = 1.005 - 0.012 * ease(times, 0.1, 0.4) + 0.010 * (swinging["l"] + swinging["r"])
+    height = 1.022 - 0.012 * ease(times, 0.1, 0.4) + 0.010 * (swinging["l"] + swinging["r"])
     plan = Plan(
         seed="turn",
         times=times,

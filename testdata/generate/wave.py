@@ -32,7 +32,7 @@ def wave(times: Floats) -> Dofs:
     plan = Plan(
         seed="wave",
         times=times,
-        root=np.stack([sway, 1.012 - 0.008 * up + 0.003 * breath, middle[:, 2] + 0.0], axis=-1),
+        root=np.stack([sway, 1.026 - 0.006 * up + 0.003 * breath, middle[:, 2]], axis=-1),
         heading=2.0 * up + wander(times, "wave heading", 1.2, 2.2),
         tilt=3.0 + wander(times, "wave tilt", 0.7, 1.7),
         list=1.8 * up + wander(times, "wave list", 0.6, 2.0),
@@ -61,7 +61,7 @@ def _waving_arm(times: Floats, up: Floats) -> Arm:
     arm.flexion = 3.0 + 22.0 * up + 1.5 * envelope * np.sin(swing + 0.5)
     arm.abduction = 9.0 + 69.0 * lifted + 4.0 * envelope * np.sin(swing)
     arm.inward = 20.0 - 98.0 * lifted + 6.0 * envelope * np.sin(swing - 0.2)
-    arm.elbow = 16.0 + 84.0 * early + 21.0 * envelope * np.sin(swing - 0.35)
+    arm.elbow = 16.0 + 77.0 * early + 21.0 * envelope * np.sin(swing - 0.35)
     arm.twist = 10.0 - 42.0 * lifted + 5.0 * envelope * np.sin(swing - 0.6)
     arm.hand_bend = 6.0 - 10.0 * up + 4.0 * envelope * np.sin(swing - 1.2)
     arm.hand_side = 17.0 * envelope * np.sin(swing - 0.9)
