@@ -4,7 +4,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`] |
+//! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`], or [`Markers`] |
 //! | [`number`] | decimal numbers in text, fast and exact |
 //! | [`pose`] | forward kinematics |
 //! | [`sample`] | values between frames, other rates |
@@ -12,12 +12,14 @@
 //! | [`filter`] | median, moving average, weighted average |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
+mod bytes;
 pub mod combine;
 pub mod error;
 pub mod euler;
 pub mod filter;
 pub mod formats;
 pub mod keys;
+pub mod markers;
 pub mod motion;
 pub mod number;
 pub mod pose;
@@ -31,5 +33,6 @@ mod text;
 pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
+pub use markers::Markers;
 pub use motion::{BoneMotion, Motion};
 pub use skeleton::{Bone, Dof, EulerOrder, LengthUnit, Limit, Skeleton};

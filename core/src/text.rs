@@ -82,7 +82,12 @@ pub(crate) struct Word<'a> {
     pub(crate) at: usize,
 }
 
-impl Word<'_> {
+impl<'a> Word<'a> {
+    /// Takes the bytes of `source` from `at` on as a word.
+    pub(crate) fn new(source: &'a [u8], at: usize, length: usize) -> Self {
+        Self { source, bytes: source.get(at..at + length).unwrap_or_default(), at }
+    }
+
     /// Compares as keywords are compared: case does not matter.
     pub(crate) fn is(&self, keyword: &str) -> bool {
         self.bytes.eq_ignore_ascii_case(keyword.as_bytes())

@@ -1,11 +1,15 @@
 //! One file or folder per format, named after it.
 //!
 //! Each goes in three steps: bytes -> what the file says ([`asf::Asf`], [`amc::Amc`]: its own units, order and names)
-//! -> our [`Skeleton`](crate::Skeleton) and [`Motion`](crate::Motion). Writers go the same way back.
+//! -> our [`Skeleton`](crate::Skeleton) and [`Motion`](crate::Motion), or [`Markers`](crate::Markers). Writers go the same way back.
 
 pub mod amc;
 pub mod asf;
+pub mod c3d;
+pub mod csm;
+mod fields;
 pub(crate) mod kind;
+pub mod trc;
 
 /// The unit in which an Acclaim file gives angles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
