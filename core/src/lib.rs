@@ -5,6 +5,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`], or [`Markers`] |
+//! | [`gaps`] | gaps of markers, found and filled; which markers are neighbours |
 //! | [`number`] | decimal numbers in text, fast and exact |
 //! | [`pose`] | forward kinematics |
 //! | [`sample`] | values between frames, other rates |
@@ -18,6 +19,7 @@ pub mod error;
 pub mod euler;
 pub mod filter;
 pub mod formats;
+pub mod gaps;
 pub mod keys;
 pub mod markers;
 pub mod motion;
