@@ -1,0 +1,74 @@
+"""Operators for curves that were edited by hand, and for building the motion anew."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import bpy
+
+from .. import stack
+from ..translations import text
+from . import target
+
+if TYPE_CHECKING:
+    from bpy.types import Context
+
+
+class MOTION_THEATER_OT_rebuild(bpy.types.Operator):
+    """Build the motion of the armature anew from its stack"""
+
+    bl_idname = "motion_theater.rebuild"
+    bl_label = "Rebuild Motion"
+    bl_options = {"REGISTER", "UNDO"}
+
+    over_edits: bpy.props.BoolProperty(
+        name="Over Hand Edits",
+        description="Replace curves that were edited by hand. Their edits are lost, except to undo",
+        default=False,
+    )
+
+    @classmethod
+    def description(cls, context: Context, properties: bpy.types.OperatorProperties) -> str:
+        if properties.over_edits:
+            return text("Build the motion anew from the stack, over the curves that were edited by hand")
+        return text("Build the motion of the armature anew from its stack")
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        return target.allowed(cls, target.stack_reason(context))
+
+    def execute(self, context: Context) -> set[str]:
+        ob = target.armature(context)
+
+        def rebuild() -> str:
+            notices = stack.rebuild(ob, over_edits=self.over_edits)
+            if not notices:
+                return text("Rebuilt the motion of “{name}”", name=ob.name)
+            return text("Rebuilt the motion of “{name}”: {notices}", name=ob.name, notices="; ".join(notices))
+
+        return target.carry_out(self, ob, rebuild)
+
+
+class MOTION_THEATER_OT_keep_edits(bpy.types.Operator):
+    """Keep the curves that were edited by hand: they become an entry on top of the stack"""
+
+    bl_idname = "motion_theater.keep_edits"
+    bl_label = "Keep Edits"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        reason = target.stack_reason(context)
+        if not reason and not stack.of(target.armature(context)).hand_edited:
+            reason = text("No curves were edited by hand since the last rebuild")
+        return target.allowed(cls, reason)
+
+    def execute(self, context: Context) -> set[str]:
+        ob = target.armature(context)
+
+        def keep() -> str:
+            count = len(stack.of(ob).hand_edited.split("\n"))
+            stack.keep_edits(ob)
+            return text("Kept the edits of {count} bones as an entry on top of the stack", count=count)
+
+        return target.carry_out(self, ob, keep)
