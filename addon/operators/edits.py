@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import bpy
 
 from .. import stack
+from ..logic import names
+from ..logic.messages import listing, sentences
 from ..translations import text
 from . import target
 
@@ -42,9 +44,7 @@ class MOTION_THEATER_OT_rebuild(bpy.types.Operator):
 
         def rebuild() -> str:
             notices = stack.rebuild(ob, over_edits=self.over_edits)
-            if not notices:
-                return text("Rebuilt the motion of “{name}”", name=ob.name)
-            return text("Rebuilt the motion of “{name}”: {notices}", name=ob.name, notices="; ".join(notices))
+            return sentences([text("Rebuilt the motion of “{name}”", name=ob.name), *notices])
 
         return target.carry_out(self, ob, rebuild)
 
@@ -67,8 +67,8 @@ class MOTION_THEATER_OT_keep_edits(bpy.types.Operator):
         ob = target.armature(context)
 
         def keep() -> str:
-            count = len(stack.of(ob).hand_edited.split("\n"))
+            edited = names.split(stack.of(ob).hand_edited)
             stack.keep_edits(ob)
-            return text("Kept the edits of {count} bones as an entry on top of the stack", count=count)
+            return text("Kept the edits of {bones} as an entry on top of the stack", bones=listing(edited))
 
         return target.carry_out(self, ob, keep)

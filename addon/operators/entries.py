@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import bpy
 
 from .. import compat, rig, stack
+from ..logic import names
+from ..logic.messages import bones
 from ..translations import text
 from . import target
 
@@ -99,7 +101,7 @@ class MOTION_THEATER_OT_entry_move(bpy.types.Operator):
 
 
 class MOTION_THEATER_OT_entry_select_bones(bpy.types.Operator):
-    """Select the bones that the active entry works on"""
+    """Select the bones that the active entry acts on"""
 
     bl_idname = "motion_theater.entry_select_bones"
     bl_label = "Select Bones"
@@ -120,20 +122,17 @@ class MOTION_THEATER_OT_entry_select_bones(bpy.types.Operator):
     def execute(self, context: Context) -> set[str]:
         ob = target.armature(context)
         chosen = target.entry(ob)
-        names = set(ob.data.bones.keys() if chosen.all_bones else chosen.bones.split("\n"))
-        count = 0
+        wanted = set(ob.data.bones.keys() if chosen.all_bones else names.split(chosen.bones))
         for bone in ob.pose.bones:
-            if bone.name in names:
-                compat.select_bone(bone, True)
-                count += 1
-            elif not self.extend:
-                compat.select_bone(bone, False)
-        self.report({"INFO"}, text("Selected {count} bones of “{name}”", count=count, name=chosen.name))
+            if bone.name in wanted or not self.extend:
+                compat.select_bone(bone, bone.name in wanted)
+        count = sum(bone.name in wanted for bone in ob.pose.bones)
+        self.report({"INFO"}, text("Selected {bones} of “{name}”", bones=bones(count), name=chosen.name))
         return {"FINISHED"}
 
 
 class MOTION_THEATER_OT_entry_set_bones(bpy.types.Operator):
-    """Let the active entry work on the selected bones instead of those it has now"""
+    """Let the active entry act on the selected bones instead of those it has now"""
 
     bl_idname = "motion_theater.entry_set_bones"
     bl_label = "Use Selected Bones"
@@ -150,8 +149,8 @@ class MOTION_THEATER_OT_entry_set_bones(bpy.types.Operator):
         ob = target.armature(context)
 
         def set_bones() -> str:
-            chosen, names = target.entry(ob), rig.selected_bones(ob)
-            stack.set_bones(ob, stack.of(ob).active, names)
-            return text("“{name}” now works on {count} bones", name=chosen.name, count=len(names))
+            chosen = rig.selected_bones(ob)
+            stack.set_bones(ob, stack.of(ob).active, chosen)
+            return text("“{name}” now acts on {bones}", name=target.entry(ob).name, bones=bones(len(chosen)))
 
         return target.carry_out(self, ob, set_bones)

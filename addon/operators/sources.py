@@ -76,6 +76,8 @@ class MOTION_THEATER_OT_pack_sources(bpy.types.Operator):
         def pack() -> str:
             tracks = _tracks(ob, packed=False)
             for entry in tracks:
+                sources.load(ob, entry)  # all can be read, or none is packed
+            for entry in tracks:
                 sources.pack(ob, entry)
             return text("Packed the sources of {count} tracks into the .blend", count=len(tracks))
 

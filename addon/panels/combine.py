@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import bpy
 
 from .. import preferences, rig
+from ..logic.messages import NO_BONES_SELECTED
 from ..operators import target
 from ..translations import text
 from . import track, words
@@ -91,7 +92,7 @@ def _draw_details(layout: UILayout, context: Context, options: NewTrackOptions) 
 def _hint(options: NewTrackOptions, ob: Object | None) -> str:
     """Return why no track can be added as the form stands, or nothing."""
     if ob is not None and options.selected_only and not rig.selected_bones(ob):
-        return text("No bone is selected: select some in Pose Mode, or turn off Selected Bones Only")
+        return text(NO_BONES_SELECTED)
     return ""
 
 

@@ -7,21 +7,21 @@ from typing import TYPE_CHECKING
 import bpy
 
 from .. import rig, sources, stack
+from ..logic import names
+from ..logic.messages import listing
 from ..operators import target
 from ..translations import text
 from . import words
 from .combine import add_track_button
 
 if TYPE_CHECKING:
-    from bpy.types import Context, Object, UILayout
+    from bpy.types import Context, UILayout
 
     from ..properties import MotionEntry, MotionStack
 
-NAMES_SHOWN = 4
-
 
 class MOTION_THEATER_UL_entries(bpy.types.UIList):
-    """The entries as layers: what is applied last is on top."""
+    """The entries of the stack"""
 
     def draw_item(
         self,
@@ -48,12 +48,6 @@ class MOTION_THEATER_UL_entries(bpy.types.UIList):
         elif item.notices:
             row.label(text="", icon="INFO")
         row.prop(item, "enabled", text="", emboss=False, icon="HIDE_OFF" if item.enabled else "HIDE_ON")
-
-    def filter_items(self, context: Context, data: MotionStack, property_name: str) -> tuple[list[int], list[int]]:
-        """Return which entries fit the name that was typed, and their places: the first entry at the bottom."""
-        entries = getattr(data, property_name)
-        shown = bpy.types.UI_UL_list.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries)
-        return shown, list(range(len(entries) - 1, -1, -1))
 
 
 class MOTION_THEATER_MT_stack_specials(bpy.types.Menu):
@@ -100,7 +94,7 @@ class MOTION_THEATER_PT_stack(bpy.types.Panel):
             words.sentence(
                 layout, context, text("Select bones in Pose Mode, then add a motion track below"), icon="INFO"
             )
-        elif motion.message:
+        elif motion.message and not motion.hand_edited:
             words.sentence(layout, context, motion.message, icon="INFO")
 
 
@@ -116,7 +110,15 @@ def _draw_first_step(layout: UILayout, context: Context) -> None:
 def _draw_list(layout: UILayout, context: Context, motion: MotionStack) -> None:
     row = layout.row()
     row.template_list(
-        "MOTION_THEATER_UL_entries", "", motion, "entries", motion, "active", rows=6 if motion.entries else 3
+        "MOTION_THEATER_UL_entries",
+        "",
+        motion,
+        "entries",
+        motion,
+        "active",
+        rows=6 if motion.entries else 3,
+        sort_reverse=True,  # as layers: what is applied last is on top
+        sort_lock=True,
     )
     side = row.column(align=True)
     add_track_button(side, context, text="", icon="ADD")
@@ -141,12 +143,9 @@ def _draw_base(layout: UILayout, motion: MotionStack) -> None:
 
 def _draw_hand_edits(layout: UILayout, context: Context, motion: MotionStack) -> None:
     """Say which curves were edited by hand, and let the user choose what becomes of them."""
-    names = motion.hand_edited.split("\n")
-    listed = ", ".join(names[:NAMES_SHOWN])
-    if len(names) > NAMES_SHOWN:
-        listed = text("{names} and {count} more", names=listed, count=len(names) - NAMES_SHOWN)
     box = layout.box()
-    message = text("Edited by hand since the last rebuild: {names}", names=listed)
+    bones = listing(names.split(motion.hand_edited))
+    message = text("Edited by hand since the last rebuild: {bones}", bones=bones)
     words.sentence(box, context, message, icon="ERROR", alert=True)
     buttons = box.column(align=True)
     buttons.operator("motion_theater.keep_edits", icon="FCURVE")

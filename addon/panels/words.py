@@ -5,6 +5,8 @@ from __future__ import annotations
 import textwrap
 from typing import TYPE_CHECKING
 
+from ..logic import names
+from ..logic.messages import bones, frame
 from ..translations import text
 
 if TYPE_CHECKING:
@@ -34,7 +36,7 @@ def sentence(layout: UILayout, context: Context, message: str, *, icon: str = "B
 
 def sentences(layout: UILayout, context: Context, messages: str, *, icon: str) -> None:
     """Draw every line of a newline separated text as a sentence of its own."""
-    for message in messages.split("\n"):
+    for message in names.split(messages):
         sentence(layout, context, message, icon=icon)
 
 
@@ -42,27 +44,24 @@ def bone_count(entry: MotionEntry) -> str:
     """Return how many bones an entry works on."""
     if entry.all_bones:
         return text("All bones")
-    count = len(entry.bones.split("\n")) if entry.bones else 0
-    return text("1 bone") if count == 1 else text("{count} bones", count=count)
+    return bones(len(names.split(entry.bones)))
 
 
 def extent(entry: MotionEntry) -> str:
     """Return what the list shows beside the name: the frames of a track, the depth of a filter."""
     if entry.kind == "FILTER":
         return text("Depth {depth}", depth=entry.depth)
-    if entry.kind == "TRACK" and entry.clip_frames:
-        return f"{entry.result_start:g} – {entry.result_end:g}"
+    if entry.kind == "TRACK" and entry.result_end > entry.result_start:
+        return f"{frame(entry.result_start)}-{frame(entry.result_end)}"
     return ""
 
 
 def clip_facts(entry: MotionEntry) -> str:
     """Return what the file of a track holds."""
-    return text(
-        "Frames {first} – {last} at {rate} Hz",
-        first=entry.clip_first,
-        last=entry.clip_first + entry.clip_frames - 1,
-        rate=f"{entry.clip_rate_hz:g}",
-    )
+    first, last = entry.clip_first, entry.clip_first + entry.clip_frames - 1
+    if not entry.clip_rate_hz:
+        return text("Frames {first}-{last}", first=first, last=last)
+    return text("Frames {first}-{last} at {rate} Hz", first=first, last=last, rate=f"{entry.clip_rate_hz:g}")
 
 
 def labelled(layout: UILayout, label: str) -> UILayout:
