@@ -106,3 +106,13 @@ def select_bone(bone: PoseBone, state: bool) -> None:
 def is_hidden(bone: PoseBone) -> bool:
     """Return whether a bone is hidden in Pose Mode (5.0 moved it from the bone to the pose bone)."""
     return bone.hide if "hide" in bone.bl_rna.properties else bone.bone.hide
+
+
+def only_bag(datablock: ID, action: Action, slot_name: str) -> Bag:
+    """Return the F-curves of one slot of an action, after removing all other slots."""
+    if not SLOTTED:
+        return action
+    for slot in [slot for slot in action.slots if slot.identifier != slot_name]:
+        action.slots.remove(slot)
+    bag = bag_of(datablock, action, slot_name=slot_name)
+    return bag if bag is not None else ensure_bag(datablock, action)

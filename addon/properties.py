@@ -20,8 +20,6 @@ from bpy.props import (
 )
 from bpy.types import Action, PropertyGroup
 
-from . import stack
-
 OVERRIDABLE = {"LIBRARY_OVERRIDABLE"}
 OVERRIDABLE_COLLECTION = {"LIBRARY_OVERRIDABLE", "USE_INSERTION"}
 FRAME_LIMIT = 1_048_574  # Blender's own limit of frame numbers
@@ -84,6 +82,8 @@ BONE_STYLES = (
 
 
 def _rebuild(properties: PropertyGroup, context: bpy.types.Context) -> None:
+    from . import stack  # imports the native module, without which properties can be defined all the same
+
     stack.on_edit(properties, context)
 
 

@@ -70,3 +70,22 @@ def misfit(path: str, names: Sequence[str], armature: str) -> str:
 
 
 NO_BONES_SELECTED = "No bones are selected: select bones in Pose Mode or switch off Selected Bones Only"
+
+
+def explained(error: BaseException) -> str | None:
+    """Return the sentence for an error that a user may meet, or None for one that is our own mistake.
+
+    The native module's errors are told by where they come from, because this package does without it. A panic of the
+    Rust core is no `Exception`; it is a mistake too, but one that must not reach the user as a traceback.
+    """
+    if isinstance(error, UserError):
+        return str(error)
+    if isinstance(error, OSError):
+        name = base_name(str(error.filename)) if error.filename else "A file"
+        return f"{name} cannot be used: {error.strerror or error}"
+    kinds = {kind.__name__ for kind in type(error).__mro__}
+    if "MotionTheaterError" in kinds:
+        return str(error)
+    if "PanicException" in kinds:
+        return f"Motion Theater ran into an error of its own, please report it: {error}"
+    return None
