@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use motion_theater_core::read::{self, Clip};
+use motion_theater_core::read::{read_bytes as read_from_bytes, read_path, Clip};
 use motion_theater_core::{ReadError, Skeleton};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -25,14 +25,14 @@ pub struct PyClip {
 #[pyfunction]
 #[pyo3(signature = (path, *, skeleton=None))]
 pub fn read(py: Python<'_>, path: PathBuf, skeleton: Option<&PySkeleton>) -> PyResult<PyClip> {
-    PyClip::new(py, &path, skeleton, |skeleton| read::read_path(&path, skeleton))
+    PyClip::new(py, &path, skeleton, |skeleton| read_path(&path, skeleton))
 }
 
 /// Read a file that is already in memory; `name` stands for its path in messages and gives its extension.
 #[pyfunction]
 #[pyo3(signature = (data, *, name, skeleton=None))]
 pub fn read_bytes(py: Python<'_>, data: &[u8], name: PathBuf, skeleton: Option<&PySkeleton>) -> PyResult<PyClip> {
-    PyClip::new(py, &name, skeleton, |skeleton| read::read_bytes(data, &name, skeleton))
+    PyClip::new(py, &name, skeleton, |skeleton| read_from_bytes(data, &name, skeleton))
 }
 
 impl PyClip {

@@ -6,7 +6,7 @@ use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, Rea
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyTuple, PyType};
+use pyo3::types::{PyDict, PyTuple, PyType};
 
 struct Types {
     root: Py<PyType>,
@@ -19,22 +19,28 @@ static TYPES: PyOnceLock<Types> = PyOnceLock::new();
 
 fn types(py: Python<'_>) -> PyResult<&Types> {
     TYPES.get_or_try_init(py, || {
-        let root = PyErr::new_type(
-            py,
-            c"motion_theater.MotionTheaterError",
-            Some(c"The root of every error of this module but those of the operating system."),
-            Some(&py.get_type::<PyException>()),
-            None,
-        )?;
-        let bases = PyTuple::new(py, [root.bind(py), &py.get_type::<PyValueError>()])?;
-        let new = |name, doc| PyErr::new_type(py, name, Some(doc), Some(bases.as_any()), None);
+        let exception = py.get_type::<PyException>();
+        let root =
+            new_type(&[&exception], "MotionTheaterError", "The root of every error of this module but OSError.")?;
+        let bases = [&root, &py.get_type::<PyValueError>()];
+        let new = |name, doc| Ok::<_, PyErr>(new_type(&bases, name, doc)?.unbind());
         Ok(Types {
-            parse: new(c"motion_theater.ParseError", c"A file is wrong; the text says where and why.")?,
-            misfit: new(c"motion_theater.MisfitError", c"A motion and a skeleton do not belong together.")?,
-            parameter: new(c"motion_theater.ParameterError", c"What was asked for makes no sense.")?,
-            root,
+            parse: new("ParseError", "A file is wrong; the text says where and why.")?,
+            misfit: new("MisfitError", "A motion and a skeleton do not belong together.")?,
+            parameter: new("ParameterError", "What was asked for makes no sense.")?,
+            root: root.unbind(),
         })
     })
+}
+
+/// Makes an exception class; PyO3's own way knows only one base.
+fn new_type<'py>(bases: &[&Bound<'py, PyType>], name: &str, doc: &str) -> PyResult<Bound<'py, PyType>> {
+    let py = bases[0].py();
+    let namespace = PyDict::new(py);
+    namespace.set_item("__module__", "motion_theater")?;
+    namespace.set_item("__doc__", doc)?;
+    let class = py.get_type::<PyType>().call1((name, PyTuple::new(py, bases)?, namespace))?;
+    Ok(class.cast_into::<PyType>()?)
 }
 
 /// Adds the exceptions to the module.
