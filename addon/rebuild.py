@@ -231,6 +231,7 @@ def _tell(
                 scene_hz=scene_hz,
                 cut=(frame["cut_start"], frame["cut_end"]),
                 scale=(frame["scale_start"], frame["scale_end"]),
+                on_whole_frames=entry.keys == "FRAMES",
             )
     notices = list(dict.fromkeys(text for number in sorted(by_entry) for text in by_entry[number]))
     if locked:

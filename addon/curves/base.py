@@ -19,7 +19,11 @@ if TYPE_CHECKING:
 WIDEST_GAP = 1.0 + 1e-3  # frames between keys that count as dense
 _REST = {"location": (0.0, 0.0, 0.0), "rotation_quaternion": (1.0, 0.0, 0.0, 0.0), "rotation_euler": (0.0, 0.0, 0.0)}
 _CACHED_CHANNELS = 512
-_sampled: OrderedDict[str, tuple[NDArray[np.float64], NDArray[np.float64]]] = OrderedDict()
+
+Samples = tuple["NDArray[np.float64]", "NDArray[np.float64]", "NDArray[np.bool_]"]
+"""Frames, values (frames, components), and where a key stands."""
+
+_sampled: OrderedDict[str, Samples] = OrderedDict()
 
 
 def channels_of(mode: str) -> tuple[str, str]:
@@ -38,8 +42,10 @@ def base_channel(curves: read.Index, number: int, bone: str, channel: str) -> mo
     with_keys = [curve for curve in found if curve is not None and len(curve.keyframe_points)]
     if not with_keys:
         return None
-    at, values = _dense(found) or _cached_samples(found, _REST[channel])
-    return motion_theater.BaseChannel(number, channel, at, values)
+    dense = _dense(found)
+    if dense is not None:
+        return motion_theater.BaseChannel(number, channel, *dense)
+    return motion_theater.BaseChannel(number, channel, *_cached_samples(found, _REST[channel]))
 
 
 def _dense(curves: Sequence[FCurve | None]) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
@@ -57,9 +63,7 @@ def _dense(curves: Sequence[FCurve | None]) -> tuple[NDArray[np.float64], NDArra
     return at.astype(np.float64), np.ascontiguousarray(np.stack([row[1::2] for row in rows], 1), np.float64)
 
 
-def _cached_samples(
-    curves: Sequence[FCurve | None], rest: Sequence[float]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _cached_samples(curves: Sequence[FCurve | None], rest: Sequence[float]) -> Samples:
     """Return `_samples`, kept for the next rebuild as long as the keys are the same."""
     if any(curve is not None and len(curve.modifiers) for curve in curves):
         return _samples(curves, rest)  # what a modifier does is not in the keys
@@ -73,9 +77,7 @@ def _cached_samples(
     return _sampled[key]
 
 
-def _samples(
-    curves: Sequence[FCurve | None], rest: Sequence[float]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _samples(curves: Sequence[FCurve | None], rest: Sequence[float]) -> Samples:
     keyed = np.concatenate([frames(read.coordinates(curve)) for curve in curves]).astype(np.float64)
     first, last = float(keyed.min()), float(keyed.max())
     at = np.unique(np.concatenate((keyed, np.arange(np.ceil(first), np.floor(last) + 1.0))))
@@ -85,4 +87,4 @@ def _samples(
             values[:, component] = rest[component]
         else:
             values[:, component] = [curve.evaluate(frame) for frame in at.tolist()]
-    return at, values
+    return at, values, np.isin(at, keyed)

@@ -62,13 +62,13 @@ def axes_from_file(rest: Rest, up: str) -> Floats:
 
 def file_frame(
     rest: Rest, skeleton: motion_theater.Skeleton, file_names: Mapping[str, str], up: str
-) -> tuple[Floats, list[str | None]]:
+) -> tuple[Floats, list[str]]:
     """Return for each bone the rotation from the axes that the file gives it into its rest axes, and the file's order.
 
-    Bones that the file does not know keep their own axes, and None as order.
+    Bones that the file does not know keep their own axes.
     """
     frame = np.tile(np.array(IDENTITY), (len(rest.names), 1))
-    orders: list[str | None] = [None] * len(rest.names)
+    orders = ["XYZ"] * len(rest.names)
     into_rest = axes_from_file(rest, up)
     bone_of = {file_names[name]: number for number, name in enumerate(skeleton.names) if name in file_names}
     for number, name in enumerate(rest.names):
@@ -80,7 +80,7 @@ def file_frame(
 
 
 def native_rig(
-    rest: Rest, *, rate_hz: float, file_axes: Floats | None = None, file_orders: list[str | None] | None = None
+    rest: Rest, *, rate_hz: float, file_axes: Floats | None = None, file_orders: list[str] | None = None
 ) -> motion_theater.Rig:
     """Return the armature as the native module takes it.
 
