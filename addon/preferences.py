@@ -60,3 +60,6 @@ def apply(operator: Operator, context: Context) -> None:
     for name in MotionTheaterPreferences.__annotations__:
         if name in operator.bl_rna.properties and not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(preferences, name))
+
+
+CLASSES = (MotionTheaterPreferences,)

@@ -13,7 +13,7 @@ from ..translations import text
 from . import target
 
 if TYPE_CHECKING:
-    from bpy.types import Context
+    from bpy.types import Context, Object
 
 
 class MOTION_THEATER_OT_rebuild(bpy.types.Operator):
@@ -40,13 +40,11 @@ class MOTION_THEATER_OT_rebuild(bpy.types.Operator):
         return target.allowed(cls, target.stack_reason(context))
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def rebuild() -> str:
+        def rebuild(ob: Object) -> str:
             notices = stack.rebuild(ob, over_edits=self.over_edits)
             return sentences([text("Rebuilt the motion of “{name}”", name=ob.name), *notices])
 
-        return target.carry_out(self, ob, rebuild)
+        return target.carry_out(self, context, rebuild)
 
 
 class MOTION_THEATER_OT_keep_edits(bpy.types.Operator):
@@ -64,11 +62,12 @@ class MOTION_THEATER_OT_keep_edits(bpy.types.Operator):
         return target.allowed(cls, reason)
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def keep() -> str:
+        def keep(ob: Object) -> str:
             edited = names.split(stack.of(ob).hand_edited)
             stack.keep_edits(ob)
             return text("Kept the edits of {bones} as an entry on top of the stack", bones=listing(edited))
 
-        return target.carry_out(self, ob, keep)
+        return target.carry_out(self, context, keep)
+
+
+CLASSES = (MOTION_THEATER_OT_rebuild, MOTION_THEATER_OT_keep_edits)

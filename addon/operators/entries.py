@@ -13,7 +13,7 @@ from ..translations import text
 from . import target
 
 if TYPE_CHECKING:
-    from bpy.types import Context
+    from bpy.types import Context, Object
 
 
 class MOTION_THEATER_OT_entry_duplicate(bpy.types.Operator):
@@ -28,14 +28,12 @@ class MOTION_THEATER_OT_entry_duplicate(bpy.types.Operator):
         return target.allowed(cls, target.entry_reason(context))
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def duplicate() -> str:
+        def duplicate(ob: Object) -> str:
             name = target.entry(ob).name
             stack.duplicate_entry(ob, stack.of(ob).active)
             return text("Duplicated “{name}”", name=name)
 
-        return target.carry_out(self, ob, duplicate)
+        return target.carry_out(self, context, duplicate)
 
 
 class MOTION_THEATER_OT_entry_remove(bpy.types.Operator):
@@ -50,14 +48,12 @@ class MOTION_THEATER_OT_entry_remove(bpy.types.Operator):
         return target.allowed(cls, target.entry_reason(context))
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def remove() -> str:
+        def remove(ob: Object) -> str:
             name = target.entry(ob).name
             stack.remove_entry(ob, stack.of(ob).active)
             return text("Removed “{name}”", name=name)
 
-        return target.carry_out(self, ob, remove)
+        return target.carry_out(self, context, remove)
 
 
 class MOTION_THEATER_OT_entry_move(bpy.types.Operator):
@@ -90,14 +86,14 @@ class MOTION_THEATER_OT_entry_move(bpy.types.Operator):
         if not 0 <= motion.active + offset < len(motion.entries):
             return {"CANCELLED"}  # already at that end: nothing to say
 
-        def move() -> str:
+        def move(ob: Object) -> str:
             name = target.entry(ob).name
             stack.move_entry(ob, motion.active, offset)
             if offset > 0:
                 return text("Moved “{name}” up: it is applied later", name=name)
             return text("Moved “{name}” down: it is applied earlier", name=name)
 
-        return target.carry_out(self, ob, move)
+        return target.carry_out(self, context, move)
 
 
 class MOTION_THEATER_OT_entry_select_bones(bpy.types.Operator):
@@ -146,11 +142,18 @@ class MOTION_THEATER_OT_entry_set_bones(bpy.types.Operator):
         return target.allowed(cls, reason)
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def set_bones() -> str:
+        def set_bones(ob: Object) -> str:
             chosen = rig.selected_bones(ob)
             stack.set_bones(ob, stack.of(ob).active, chosen)
             return text("“{name}” now acts on {bones}", name=target.entry(ob).name, bones=bones(len(chosen)))
 
-        return target.carry_out(self, ob, set_bones)
+        return target.carry_out(self, context, set_bones)
+
+
+CLASSES = (
+    MOTION_THEATER_OT_entry_duplicate,
+    MOTION_THEATER_OT_entry_remove,
+    MOTION_THEATER_OT_entry_move,
+    MOTION_THEATER_OT_entry_select_bones,
+    MOTION_THEATER_OT_entry_set_bones,
+)

@@ -43,14 +43,12 @@ class MOTION_THEATER_OT_relink_source(bpy.types.Operator, ImportHelper):
         return ImportHelper.invoke(self, context, event)
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def relink() -> str:
+        def relink(ob: Object) -> str:
             entry = target.entry(ob)
             sources.relink(ob, entry, self.filepath)
             return text("“{name}” now comes from {file}", name=entry.name, file=Path(self.filepath).name)
 
-        return target.carry_out(self, ob, relink)
+        return target.carry_out(self, context, relink)
 
     def draw(self, context: Context) -> None:
         """Nothing to choose but the file."""
@@ -71,9 +69,7 @@ class MOTION_THEATER_OT_pack_sources(bpy.types.Operator):
         return target.allowed(cls, reason)
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def pack() -> str:
+        def pack(ob: Object) -> str:
             tracks = _tracks(ob, packed=False)
             for entry in tracks:
                 sources.load(ob, entry)  # all can be read, or none is packed
@@ -81,7 +77,7 @@ class MOTION_THEATER_OT_pack_sources(bpy.types.Operator):
                 sources.pack(ob, entry)
             return text("Packed the sources of {count} tracks into the .blend", count=len(tracks))
 
-        return target.carry_out(self, ob, pack)
+        return target.carry_out(self, context, pack)
 
 
 class MOTION_THEATER_OT_unpack_sources(bpy.types.Operator):
@@ -111,16 +107,17 @@ class MOTION_THEATER_OT_unpack_sources(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def execute(self, context: Context) -> set[str]:
-        ob = target.armature(context)
-
-        def unpack() -> str:
+        def unpack(ob: Object) -> str:
             tracks = _tracks(ob, packed=True)
             packed = stack.of(ob).packed
             for entry in tracks:
                 sources.unpack(ob, entry, str(Path(self.directory) / packed[entry.packed_key].filename))
             return text("Wrote the sources of {count} tracks to {folder}", count=len(tracks), folder=self.directory)
 
-        return target.carry_out(self, ob, unpack)
+        return target.carry_out(self, context, unpack)
 
     def draw(self, context: Context) -> None:
         """Nothing to choose but the folder."""
+
+
+CLASSES = (MOTION_THEATER_OT_relink_source, MOTION_THEATER_OT_pack_sources, MOTION_THEATER_OT_unpack_sources)

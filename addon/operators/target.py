@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .. import rig, stack
-from ..logic.messages import UserError
 from ..translations import text
+from . import outcome
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -67,13 +67,13 @@ def allowed(cls: type[Operator], reason: str) -> bool:
     return not reason
 
 
-def carry_out(operator: Operator, ob: Object, action: Callable[[], str]) -> set[str]:
-    """Run an action that returns its message, and tell the user how it went: one message, whatever the outcome."""
-    try:
-        message = action()
-    except UserError as error:
-        operator.report({"ERROR"}, str(error))
-        return {"CANCELLED"}
-    stack.of(ob).message = message
-    operator.report({"INFO"}, message)
-    return {"FINISHED"}
+def carry_out(operator: Operator, context: Context, action: Callable[[Object], str]) -> set[str]:
+    """Run an action on the active armature that returns its message; report it and leave it in the panel."""
+    ob = armature(context)
+
+    def told() -> str:
+        message = action(ob)
+        stack.of(ob).message = message
+        return message
+
+    return outcome.carry_out(operator, context, told)

@@ -107,3 +107,6 @@ def add_track_button(layout: UILayout, context: Context, **look: str) -> Operato
         for name in KEPT_FORM:
             setattr(properties, name, getattr(kept, name))
     return properties
+
+
+CLASSES = (MOTION_THEATER_PT_combine,)

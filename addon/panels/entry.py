@@ -104,3 +104,6 @@ def _draw_kept(layout: UILayout, context: Context, entry: MotionEntry) -> None:
     )
     layout.prop(entry, "action")
     _draw_bones(layout, entry)
+
+
+CLASSES = (MOTION_THEATER_PT_entry,)

@@ -41,3 +41,6 @@ def draw_import_menu(menu: Menu, context: Context) -> None:
     """Add the entries of File > Import."""
     menu.layout.operator("motion_theater.import_skeleton", text="Acclaim Skeleton (.asf)")
     menu.layout.operator("motion_theater.add_track", text="Acclaim Motion (.amc)")
+
+
+CLASSES = (MOTION_THEATER_FH_skeleton, MOTION_THEATER_FH_motion)

@@ -42,3 +42,6 @@ def _button(layout: UILayout, options: NewTrackOptions, *, text: str, selected_o
     properties.kind = options.filter_kind
     properties.depth = options.custom_depth if options.depth == "CUSTOM" else int(options.depth)
     properties.selected_only = selected_only
+
+
+CLASSES = (MOTION_THEATER_PT_filters,)

@@ -150,3 +150,6 @@ def _draw_hand_edits(layout: UILayout, context: Context, motion: MotionStack) ->
     buttons = box.column(align=True)
     buttons.operator("motion_theater.keep_edits", icon="FCURVE")
     buttons.operator("motion_theater.rebuild", text="Rebuild Over Them", icon="FILE_REFRESH").over_edits = True
+
+
+CLASSES = (MOTION_THEATER_UL_entries, MOTION_THEATER_MT_stack_specials, MOTION_THEATER_PT_stack)

@@ -24,7 +24,7 @@ def sentence(layout: UILayout, context: Context, message: str, *, icon: str = "B
 
     Blender cuts a label that is too long for its panel instead of breaking it.
     """
-    scale = context.preferences.system.ui_scale
+    scale = context.preferences.system.ui_scale or 1.0  # zero where there is no window
     width = context.region.width if context.region else 300
     characters = max(16, int((width / scale - MARGIN) / CHARACTER_WIDTH))
     column = layout.column(align=True)
