@@ -16,6 +16,7 @@ use crate::skeleton::PySkeleton;
 #[pyclass(name = "Clip", module = "motion_theater", frozen)]
 pub struct PyClip {
     path: String,
+    names: Vec<String>,
     clip: Clip,
     skeleton: Option<Py<PySkeleton>>,
     motion: Option<Py<PyMotion>>,
@@ -44,13 +45,14 @@ impl PyClip {
     ) -> PyResult<Self> {
         let given = skeleton.map(|skeleton| Arc::clone(&skeleton.0));
         let mut clip = py.detach(|| read(given.as_deref())).map_err(errors::read)?;
+        let names = clip.names();
         let own = clip.skeleton.take().map(Arc::new);
         let motion = match (clip.motion.take(), own.as_ref().or(given.as_ref())) {
             (Some(motion), Some(skeleton)) => Some(Py::new(py, PyMotion::new(motion, Arc::clone(skeleton)))?),
             _ => None,
         };
         let skeleton = own.map(|skeleton| Py::new(py, PySkeleton(skeleton))).transpose()?;
-        Ok(Self { path: path.display().to_string(), clip, skeleton, motion })
+        Ok(Self { path: path.display().to_string(), names, clip, skeleton, motion })
     }
 }
 
@@ -73,7 +75,7 @@ impl PyClip {
 
     #[getter]
     fn names(&self) -> Vec<String> {
-        self.clip.names()
+        self.names.clone()
     }
 
     #[getter]
@@ -117,6 +119,6 @@ impl PyClip {
     }
 
     fn __repr__(&self) -> String {
-        format!("<Clip '{}': {} bones, {} frames>", self.path, self.names().len(), self.frames())
+        format!("<Clip '{}': {} bones, {} frames>", self.path, self.names.len(), self.frames())
     }
 }
