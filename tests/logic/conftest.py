@@ -1,0 +1,8 @@
+"""The pure part of the add-on is importable without Blender, as the package `logic`."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "addon"))
