@@ -12,13 +12,12 @@ import numpy as np
 from scipy import ndimage
 
 import motion_theater as mt
-from motion_theater import FilterKind, Floats
 from tests.bench.timing import Row, medians_s, ms
 
 SHAPES = ((1, 24_000), (90, 267), (1, 27_000_000), (3000, 9000))
 DEPTHS = (3, 5, 7)
-TARGETS: dict[FilterKind, float] = {"MEDIAN": 8.0, "AVERAGE": 1.5, "WEIGHTED": 2.0}
-SCIPY_NAMES: dict[FilterKind, str] = {
+TARGETS: dict[mt.FilterKind, float] = {"MEDIAN": 8.0, "AVERAGE": 1.5, "WEIGHTED": 2.0}
+SCIPY_NAMES: dict[mt.FilterKind, str] = {
     "MEDIAN": "median_filter",
     "AVERAGE": "uniform_filter1d",
     "WEIGHTED": "convolve1d",
@@ -26,7 +25,7 @@ SCIPY_NAMES: dict[FilterKind, str] = {
 TOLERANCE = 1e-12
 
 
-def pascal_row(entries: int) -> Floats:
+def pascal_row(entries: int) -> mt.Floats:
     """The row of Pascal's triangle with that many entries, over its sum."""
     row = np.ones(1)
     while len(row) < entries:
@@ -34,7 +33,7 @@ def pascal_row(entries: int) -> Floats:
     return row
 
 
-def scipy_filter(kind: FilterKind, depth: int) -> Callable[[Floats], Floats]:
+def scipy_filter(kind: mt.FilterKind, depth: int) -> Callable[[mt.Floats], mt.Floats]:
     """The function of scipy that equals ours on the interior."""
     if kind == "MEDIAN":
         return lambda values: ndimage.median_filter(values, size=(1, depth))
@@ -54,11 +53,11 @@ def measure() -> Iterator[Row]:
                 yield _compare(values, kind, depth, target)
 
 
-def _compare(values: Floats, kind: FilterKind, depth: int, target: float) -> Row:
-    def ours() -> Floats:
+def _compare(values: mt.Floats, kind: mt.FilterKind, depth: int, target: float) -> Row:
+    def ours() -> mt.Floats:
         return mt.filter_values(values, kind=kind, depth=depth)
 
-    def theirs() -> Floats:
+    def theirs() -> mt.Floats:
         return filtered(values)
 
     filtered = scipy_filter(kind, depth)
