@@ -148,8 +148,9 @@ class Rig:
         file_axes: Floats | None = None,
         file_orders: Sequence[str] | None = None,
     ) -> None:
-        """`modes[i]` is "QUATERNION" or an Euler order; `rate_hz` the scene's. `file_axes` (bones, 4) and
-        `file_orders`: the axes and order in which "Linear (Euler)" blends, where they are not the bone's own."""
+        """`modes[i]` is "QUATERNION" or an Euler order; `rate_hz` the scene's. `file_axes` (bones, 4), from the file's
+        bone axes to the host bone's rest axes, and `file_orders`: the angles in which "Linear (Euler)" blends on
+        quaternion bones."""
 
 class Track:
     """A clip on some bones, with its cut, scale and blend. Frames that are None are not set."""
@@ -192,10 +193,21 @@ class Filter:
     ) -> None: ...
 
 class BaseChannel:
-    """What one bone had before the first entry: keys of "rotation_quaternion" (4), "rotation_euler" (3) or
-    "location" (3), `frames` ascending."""
+    """What one channel of one bone held before the first entry: "rotation_quaternion", "rotation_euler" or "location".
 
-    def __init__(self, bone: int, channel: str, frames: Floats, values: Floats) -> None: ...
+    `frames` ascend; `values` is (frames, 4) or (frames, 3). Where the host's keys are sparse, give what is seen on every
+    whole frame between them too and mark in `is_key` where a key really stands: the result then replaces as much of the
+    curve as is needed for its shape outside the tracks to stay what it was.
+    """
+
+    def __init__(
+        self,
+        bone: int,
+        channel: str,
+        frames: Floats,
+        values: Floats,
+        is_key: NDArray[np.bool_] | None = None,
+    ) -> None: ...
 
 class ResultChannel:
     """What one channel of one bone became. Outside `start`..`end` the base's own keys stay as they are."""

@@ -5,6 +5,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`] |
+//! | [`number`] | decimal numbers in text, fast and exact |
 //! | [`pose`] | forward kinematics |
 //! | [`sample`] | values between frames, other rates |
 //! | [`combine`] | cut, scale, blend and align one track over what was there |
@@ -18,11 +19,16 @@ pub mod filter;
 pub mod formats;
 pub mod keys;
 pub mod motion;
+pub mod number;
 pub mod pose;
+pub mod rate;
 pub mod read;
+pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
 pub mod stack;
+mod text;
+pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
 pub use motion::{BoneMotion, Motion};

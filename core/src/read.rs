@@ -1,1 +1,156 @@
 //! From a path or bytes to what the file holds.
+
+use crate::error::{MisfitError, ParseError, ReadError};
+use crate::formats::amc::Amc;
+use crate::formats::asf::Asf;
+use crate::formats::kind::{recognise, Kind};
+use crate::motion::Motion;
+use crate::skeleton::Skeleton;
+use std::path::{Path, PathBuf};
+
+/// A kind of file that can be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// Acclaim skeleton.
+    Asf,
+    /// Acclaim motion.
+    Amc,
+}
+
+/// Every format with its extension, in lower case.
+const FORMATS: [(Format, &str); 2] = [(Format::Asf, "asf"), (Format::Amc, "amc")];
+
+impl Format {
+    /// Returns the format's extension in lower case, without a dot.
+    pub fn extension(self) -> &'static str {
+        FORMATS.iter().find(|(format, _)| *format == self).map_or("", |(_, extension)| extension)
+    }
+
+    /// Returns what the bytes are by their content, or else by the extension of `name`.
+    fn of(source: &[u8], name: &Path) -> Option<Self> {
+        let by_extension = || {
+            let extension = name.extension()?.to_str()?;
+            FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
+        };
+        match recognise(source) {
+            Some(Kind::Asf) => Some(Self::Asf),
+            Some(Kind::Amc) => Some(Self::Amc),
+            Some(Kind::Foreign(_)) | None => by_extension(),
+        }
+    }
+}
+
+/// What one file holds. What a format does not have is `None`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clip {
+    /// What kind of file it is.
+    pub format: Format,
+    /// What the file says, where it is an Acclaim skeleton.
+    pub asf: Option<Asf>,
+    /// What the file says, where it is an Acclaim motion.
+    pub amc: Option<Amc>,
+    /// The file's own skeleton.
+    pub skeleton: Option<Skeleton>,
+    /// The file's motion, on its own skeleton or the one that was given; an AMC has none without.
+    pub motion: Option<Motion>,
+    /// What is odd in the file, and what was inferred, a sentence each.
+    pub notices: Vec<String>,
+}
+
+impl Clip {
+    /// Returns the file anew: the same values, names and order.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let asf = self.asf.as_ref().map(Asf::to_bytes);
+        asf.or_else(|| self.amc.as_ref().map(Amc::to_bytes)).unwrap_or_default()
+    }
+
+    /// Returns the names of the bones, in file order.
+    pub fn names(&self) -> Vec<String> {
+        match (&self.amc, &self.skeleton) {
+            (Some(amc), _) => amc.bones.iter().map(|bone| bone.name.clone()).collect(),
+            (None, Some(skeleton)) => skeleton.bones.iter().map(|bone| bone.name.clone()).collect(),
+            (None, None) => Vec::new(),
+        }
+    }
+
+    /// Returns how many frames of motion there are.
+    pub fn frame_count(&self) -> usize {
+        self.amc.as_ref().map_or(0, |amc| amc.frame_count)
+    }
+
+    /// Returns the file's own number of the first frame; 1 without motion.
+    pub fn first_frame(&self) -> i64 {
+        self.amc.as_ref().map_or(1, |amc| amc.first_frame)
+    }
+
+    /// Returns the frames per second; `None` where the file does not say.
+    pub fn rate_hz(&self) -> Option<f64> {
+        self.amc.as_ref()?.header.rate_hz
+    }
+
+    /// Returns the motion on a skeleton, with what the user should know.
+    ///
+    /// # Errors
+    /// Where the file has no motion, or one of other bones.
+    pub fn bind(&self, skeleton: &Skeleton) -> Result<(Motion, Vec<String>), MisfitError> {
+        let no_motion = || MisfitError { bones: vec!["the file has no motion".to_owned()] };
+        self.amc.as_ref().ok_or_else(no_motion)?.motion(skeleton)
+    }
+}
+
+/// Reads a file of any known format. `skeleton` is what a motion without a skeleton of its own (AMC) belongs to.
+///
+/// The file is copied into memory of our own: another program that rewrites or cuts it meanwhile can at worst give a
+/// damaged text, which is met with words, where a mapped file would end the process.
+///
+/// # Errors
+/// Where the disk fails, the file is wrong, or the motion and `skeleton` do not belong together.
+pub fn read_path(path: &Path, skeleton: Option<&Skeleton>) -> Result<Clip, ReadError> {
+    let source = std::fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    read_bytes(&source, path, skeleton)
+}
+
+/// Reads a file that is in memory already. `name` stands for its path in messages and gives its extension.
+///
+/// # Errors
+/// Where the file is wrong, or the motion and `skeleton` do not belong together.
+pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Result<Clip, ReadError> {
+    let wrong = |error| ReadError::Parse { path: PathBuf::from(name), error };
+    match Format::of(source, name) {
+        Some(Format::Asf) => Ok(asf_clip(Asf::parse(source).map_err(wrong)?)),
+        Some(Format::Amc) => {
+            let amc = Amc::parse(source).map_err(wrong)?;
+            amc_clip(amc, skeleton).map_err(|error| ReadError::Misfit { path: PathBuf::from(name), error })
+        }
+        None => Err(wrong(unknown(source))),
+    }
+}
+
+fn asf_clip(asf: Asf) -> Clip {
+    let skeleton = asf.skeleton();
+    let mut notices = asf.notices();
+    notices.push(format!("Length unit: {}", skeleton.unit.reason));
+    if skeleton.up != glam::DVec3::Y {
+        notices.push("Z is taken as up, for the rest pose is far longer along Z than along Y".to_owned());
+    }
+    Clip { format: Format::Asf, asf: Some(asf), amc: None, skeleton: Some(skeleton), motion: None, notices }
+}
+
+fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> {
+    let (motion, notices) = match skeleton.map(|skeleton| amc.motion(skeleton)).transpose()? {
+        Some((motion, notices)) => (Some(motion), notices),
+        None => (None, amc.notices()),
+    };
+    Ok(Clip { format: Format::Amc, asf: None, amc: Some(amc), skeleton: None, motion, notices })
+}
+
+fn unknown(source: &[u8]) -> ParseError {
+    let expected = "an Acclaim skeleton (.asf) or an Acclaim motion (.amc)";
+    let found = match recognise(source) {
+        _ if source.is_empty() => "an empty file".to_owned(),
+        Some(kind) => kind.to_string(),
+        None => "text of an unknown kind".to_owned(),
+    };
+    crate::text::error_at(source, 0, expected, found)
+}

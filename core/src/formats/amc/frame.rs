@@ -1,0 +1,88 @@
+//! The fast version of reading a frame: it takes frames that are written as nearly all are, and leaves the others alone.
+
+use super::AmcBone;
+use crate::number::read_prefix;
+use crate::text::{is_blank, LARGEST};
+
+/// What a usual frame looks like: the bones of the first frame, in the same order.
+pub(super) struct FrameLayout {
+    /// The names, one after the other, each with the blank that follows it.
+    names: Vec<u8>,
+    /// For each bone the length of its name with the blank, and how many values follow.
+    bones: Vec<(usize, usize)>,
+}
+
+impl FrameLayout {
+    pub(super) fn new(bones: &[AmcBone]) -> Self {
+        let names = bones.iter().flat_map(|bone| bone.name.bytes().chain([b' '])).collect();
+        Self { names, bones: bones.iter().map(|bone| (bone.name.len() + 1, bone.width)).collect() }
+    }
+
+    /// Reads a frame at byte `at` if it has one line per bone in the usual order, with nothing else between, and returns
+    /// its number and where the next begins. Anything unusual is `None`, with `values` as they were.
+    pub(super) fn read_usual(&self, source: &[u8], at: usize, values: &mut Vec<f64>) -> Option<(i64, usize)> {
+        let start = values.len();
+        let frame = self.read(source.get(at..)?, values);
+        if frame.is_none() {
+            values.truncate(start);
+        }
+        let (number, rest) = frame?;
+        Some((number, source.len() - rest.len()))
+    }
+
+    #[inline]
+    fn read<'a>(&self, source: &'a [u8], values: &mut Vec<f64>) -> Option<(i64, &'a [u8])> {
+        let (number, mut rest) = frame_number(source)?;
+        let mut names = self.names.as_slice();
+        for (name_length, width) in &self.bones {
+            let (name, later_names) = names.split_at_checked(*name_length)?;
+            names = later_names;
+            rest = rest.strip_prefix(name)?;
+            for _ in 0..*width {
+                rest = skip_blanks(rest);
+                let (value, length) = read_prefix(rest)?;
+                rest = rest.get(length..)?;
+                // Also refuses what is not finite, and a number that is the start of a longer word.
+                if !(value.abs() <= LARGEST) || !rest.first().is_none_or(|next| next.is_ascii_whitespace()) {
+                    return None;
+                }
+                values.push(value);
+            }
+            rest = end_of_line(rest)?;
+        }
+        Some((number, rest))
+    }
+}
+
+/// Reads up to eighteen digits alone on a line.
+#[inline]
+fn frame_number(source: &[u8]) -> Option<(i64, &[u8])> {
+    let length = source.iter().take(19).take_while(|byte| byte.is_ascii_digit()).count();
+    let (digits, rest) = source.split_at_checked(length)?;
+    if !(1..19).contains(&length) {
+        return None;
+    }
+    let number = digits.iter().fold(0, |number, digit| 10 * number + i64::from(digit - b'0'));
+    Some((number, end_of_line(rest)?))
+}
+
+/// Takes blanks and one line end, or the end of the file.
+#[inline]
+fn end_of_line(text: &[u8]) -> Option<&[u8]> {
+    match skip_blanks(text) {
+        [b'\r', b'\n', rest @ ..] | [b'\n' | b'\r', rest @ ..] => Some(rest),
+        [] => Some(&[]),
+        _ => None,
+    }
+}
+
+#[inline]
+fn skip_blanks(mut text: &[u8]) -> &[u8] {
+    while let [byte, rest @ ..] = text {
+        if !is_blank(*byte) {
+            break;
+        }
+        text = rest;
+    }
+    text
+}
