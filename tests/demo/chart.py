@@ -99,11 +99,13 @@ def timeline(sheet: Sheet, area: Area, rows: Sequence[Row], frames: int, tint: C
         for span in row.spans:
             sheet.box(place(span.start), top, place(span.end), bottom, BAR)
         for span in row.spans:
-            if span.blend:
-                low, high = place(span.start - span.blend), place(span.start + span.blend)
+            label = place(span.start)
+            if span.blend is not None:
+                low, high = place(span.blend[0]), place(span.blend[1])
+                label = max(label, high)
                 sheet.box(low, top, high, bottom, tint, 165)
                 sheet.line([(low, bottom), (high, top)], (255, 255, 255), 1.2)
-            sheet.text(place(span.start + span.blend) + 4, middle, span.label, 10.5, INK, "lm")
+            sheet.text(label + 4, middle, span.label, 10.5, INK, "lm")
     if frame is not None:
         x = place(frame + 1)
         sheet.line([(x, area.top - 2), (x, area.top + len(rows) * ROW_HEIGHT)], INK, 1.5)
@@ -154,9 +156,7 @@ def paths(sheet: Sheet, area: Area, title: str, lines: Sequence[tuple[Floats, Co
     centre = (low + high) / 2
     middle = (area.left + area.width / 2, area.top + head + (area.height - head) / 2)
     for line, colour in lines:
-        points = [
-            (middle[0] + float(x - centre[0]) * scale, middle[1] - float(y - centre[1]) * scale) for x, y in line
-        ]
+        points = [(middle[0] + float(x - centre[0]) * scale, middle[1] - float(y - centre[1]) * scale) for x, y in line]
         sheet.line(points, colour, 1.4, 200)
         for x, y in points:
             sheet.box(x - 1.6, y - 1.6, x + 1.6, y + 1.6, colour)

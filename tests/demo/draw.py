@@ -49,7 +49,14 @@ def _palette(images: Sequence[Image.Image]) -> Image.Image:
     moments = [images[round(share * (len(images) - 1))] for share in (0.0, 0.3, 0.6, 1.0)]
     third = PREVIEW_WIDTH // 3
     crops = [images[-1]] + [
-        image.crop((left + third // 2, PREVIEW_HEAD + 40, left + PREVIEW_WIDTH - third // 2, PREVIEW_HEAD + PREVIEW_HEIGHT - 60))
+        image.crop(
+            (
+                left + third // 2,
+                PREVIEW_HEAD + 40,
+                left + PREVIEW_WIDTH - third // 2,
+                PREVIEW_HEAD + PREVIEW_HEIGHT - 60,
+            )
+        )
         for image in moments
         for left in range(MARGIN, image.width - MARGIN, PREVIEW_WIDTH + MARGIN)
     ]

@@ -85,7 +85,8 @@ class Camera:
         x = (np.arange(left, right) + 0.5 - self.width * SUPERSAMPLING / 2) / scale
         y = (np.arange(top, bottom) + 0.5 - self.height * SUPERSAMPLING / 2) / scale
         grid = np.stack([*np.meshgrid(x, -y), np.ones((len(y), len(x)))], axis=-1) @ self.axes
-        return grid / np.linalg.norm(grid, axis=-1, keepdims=True)
+        directions: Floats = grid / np.linalg.norm(grid, axis=-1, keepdims=True)
+        return directions
 
 
 class Stage:
@@ -235,12 +236,14 @@ def _shade(normal: Floats, colour: Colour, camera: Camera) -> Floats:
     gloss = np.clip(normal @ _halfway(camera), 0.0, 1.0) ** 36
     light = 0.2 + 0.16 * sky + 0.72 * key + 0.16 * fill
     shaded = linear(colour) * (light * (0.72 + 0.28 * facing))[:, None]
-    return shaded + 0.07 * gloss[:, None]
+    lit: Floats = shaded + 0.07 * gloss[:, None]
+    return lit
 
 
 def _halfway(camera: Camera) -> Floats:
     half = KEY_LIGHT - camera.axes[2]
-    return half / np.linalg.norm(half)
+    unit: Floats = half / np.linalg.norm(half)
+    return unit
 
 
 def _contours(depth: Floats) -> Floats:

@@ -18,12 +18,12 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class Span:
-    """A stretch of a timeline, in frames; `blend` frames to either side of its start are a crossfade."""
+    """A stretch of a timeline, in frames; `blend` is the crossfade over its start, from one frame to another."""
 
     label: str
     start: int
     end: int
-    blend: int = 0
+    blend: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,9 @@ JOIN = 67
 """The frame from which the upper body takes clip A again."""
 
 BLEND_DEPTH = 10
+BLENDED = (JOIN - BLEND_DEPTH, JOIN)
+"""The frames that are blended: the wave ends just before the join, so there is nothing to blend with after it."""
+
 FILTER_DEPTH = 7
 
 TEAL: Colour = (0, 140, 150)
@@ -36,7 +39,7 @@ ORANGE: Colour = (232, 122, 38)
 PURPLE: Colour = (112, 76, 196)
 
 LEGS_ROW = Row("Legs", (Span("A: step and jump", 1, LAST_FRAME),))
-UPPER_ROW = Row("Upper", (Span("B: wave", 1, JOIN - 1), Span("A", JOIN, LAST_FRAME, BLEND_DEPTH)))
+UPPER_ROW = Row("Upper", (Span("B: wave", 1, JOIN - 1), Span("A", JOIN, LAST_FRAME, BLENDED)))
 ARMS_ROW = Row("Arms", (Span(f"weighted average, depth {FILTER_DEPTH}", 1, LAST_FRAME),))
 
 
@@ -66,9 +69,7 @@ def run() -> list[State]:
     clip_a, clip_b = (str(harness.TESTDATA / name) for name in ("step_and_jump.amc", "wave.amc"))
     operators = bpy.ops.motion_theater
 
-    _step(
-        "1. Import the skeleton", lambda: operators.import_skeleton(filepath=str(harness.TESTDATA / "human.asf"))
-    )
+    _step("1. Import the skeleton", lambda: operators.import_skeleton(filepath=str(harness.TESTDATA / "human.asf")))
     ob = harness.armature()
     legs = [LEGS[0], *harness.below(ob, *LEGS[1:])]
     upper = [bone.name for bone in ob.data.bones if bone.name not in legs]
@@ -80,7 +81,11 @@ def run() -> list[State]:
         lambda: operators.add_track(filepath=clip_a, selected_only=True, rate="SCENE"),
     )
     only_legs = _state(
-        "Legs only", "Clip A on root, hips and legs: the upper body stands still", legs, TEAL, (LEGS_ROW, Row("Upper", ()))
+        "Legs only",
+        "Clip A on root, hips and legs: the upper body stands still",
+        legs,
+        TEAL,
+        (LEGS_ROW, Row("Upper", ())),
     )
 
     harness.select(ob, upper)
@@ -98,7 +103,7 @@ def run() -> list[State]:
     )
     joined = _state(
         "Arms added",
-        f"Clip B to frame {JOIN - 1}, then clip A, blended around frame {JOIN}",
+        f"Clip B to frame {JOIN - 1}, then clip A, blended over frames {BLENDED[0]} to {BLENDED[1]}",
         upper,
         ORANGE,
         (LEGS_ROW, UPPER_ROW),
