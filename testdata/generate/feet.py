@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,7 +97,8 @@ def _toe_lift(pitch: Floats) -> Floats:
     excess = -pitch - TOE_BEND_LIMIT
     soft = 0.5 * (excess + np.hypot(excess, TOE_BEND_SOFTNESS))
     none = 0.5 * (-TOE_BEND_LIMIT + np.hypot(TOE_BEND_LIMIT, TOE_BEND_SOFTNESS))
-    return np.maximum(soft - none, 0.0)
+    lift: Floats = np.maximum(soft - none, 0.0)
+    return lift
 
 
 def _stance_ankle(stance: Stance, times: Floats, pitch: Floats) -> Floats:
@@ -118,7 +120,8 @@ def _swing_toes(u: Floats, before: Stance, after: Stance, ball_height: Floats, p
     bend = (-leaving - _toe_lift(leaving)) * (1 - ease(u, 0.0, 0.45))
     bend = bend + max(-np.radians(after.strike_pitch), 0.0) * ease(u, 0.6, 1.0)
     lowest = -np.arcsin(np.clip(ball_height / TOES_M, 0.0, 1.0))
-    return np.maximum(pitch + bend, lowest) - pitch
+    held: Floats = np.maximum(pitch + bend, lowest)
+    return held - pitch
 
 
 def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03) -> FootPath:
@@ -134,7 +137,7 @@ def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03
         heading[now] = np.radians(stance.heading)
         bend[now] = np.maximum(-pitch[now], 0.0) - _toe_lift(pitch[now])
         planted |= now
-    for before, after in zip(stances, stances[1:], strict=False):
+    for before, after in pairwise(stances):
         now = (times > before.release) & (times < after.strike)
         duration = after.strike - before.release
         u = (times[now] - before.release) / duration

@@ -103,4 +103,5 @@ def _smooth_through(times: Floats, knots: Floats, values: Floats) -> Floats:
     mean_v = (window * values).sum(axis=1) / weight
     dt = knots[None, :] - mean_t[:, None]
     slope = (window * dt * (values[None, :] - mean_v[:, None])).sum(axis=1) / (window * dt**2).sum(axis=1)
-    return mean_v + slope * (times - mean_t)
+    curve: Floats = mean_v + slope * (times - mean_t)
+    return curve

@@ -30,6 +30,19 @@ STEPS: tuple[tuple[str, float, float, float], ...] = (
 )
 """Foot, release, strike and the foot's heading afterwards, from where the body began."""
 
+TURNED: tuple[tuple[float, float], ...] = (
+    (0.1, 0.0),
+    (0.56, 20.0),
+    (0.98, 54.0),
+    (1.35, 82.0),
+    (1.76, 110.0),
+    (2.13, 135.0),
+    (2.52, 160.0),
+    (3.1, TURN_DEG - 1.0),
+    (3.35, TURN_DEG),
+)
+"""When the pelvis has turned how far."""
+
 
 def turn(times: Floats) -> Dofs:
     """The clip, around the origin."""
@@ -37,10 +50,7 @@ def turn(times: Floats) -> Dofs:
     ground = feet.support(times, paths["l"], paths["r"])
     middle = feet.smoothed(times, (paths["l"].ankle + paths["r"].ankle) / 2, 0.12)
     centre = middle + 0.62 * (ground - middle)
-    turned = spline(
-        times,
-        [(0.1, 0.0), (0.56, 20.0), (0.98, 54.0), (1.35, 82.0), (1.76, 110.0), (2.13, 135.0), (2.52, 160.0), (3.1, 179.0), (3.35, 180.0)],
-    )  # fmt: skip
+    turned = spline(times, TURNED)
     heading = START_DEG + turned
     speed = np.gradient(turned, times)
     swinging = {side: _swing(times, side) for side in ("l", "r")}
