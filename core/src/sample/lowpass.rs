@@ -95,12 +95,13 @@ impl WindowKernel for LowPass {
         self.reach
     }
 
+    #[inline(always)]
     fn full_windows(&self, values: &[f64], out: &mut [f64]) {
         symmetric_means(values, out, self.reach, &self.weights);
     }
 
     fn shrunk_window(&self, window: &[f64]) -> f64 {
-        symmetric_mean(window, &sinc_weights(self.cutoff, window.len() / 2))
+        symmetric_mean(window, sinc_weights(self.cutoff, window.len() / 2))
     }
 }
 
