@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Protocol
 import bpy
 
 if TYPE_CHECKING:
-    from bpy.types import Action, ID, PoseBone
+    from bpy.types import ID, Action, PoseBone
 
 SLOTTED = "slots" in bpy.types.Action.bl_rna.properties  # 4.4: an action has slots, one for each user
 

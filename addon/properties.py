@@ -48,7 +48,11 @@ KEYS = (
 FILTER_KINDS = (
     ("MEDIAN", "Median", "Take the middle of the sorted values: removes spikes, keeps edges, makes no new values"),
     ("AVERAGE", "Average", "Take the mean of the values: removes noise and softens"),
-    ("WEIGHTED", "Weighted Average", "Take the mean with weights from Pascal's triangle: softens less than the average"),
+    (
+        "WEIGHTED",
+        "Weighted Average",
+        "Take the mean with weights from Pascal's triangle: softens less than the average",
+    ),
 )
 FILTER_CHANNELS = (
     ("ROTATION", "Rotations", "Filter rotations as a whole, which is safe where angles pass 180 degrees"),
@@ -58,7 +62,7 @@ DEPTHS = (
     ("3", "3", "Consider three values for each result"),
     ("5", "5", "Consider five values for each result"),
     ("7", "7", "Consider seven values for each result"),
-    ("CUSTOM", "Custom", "Consider any odd number of values for each result"),
+    ("CUSTOM", "Any", "Consider any odd number of values for each result"),
 )
 RATES = (
     ("RESAMPLE", "Resample to Scene", "Play at the recorded speed with keys on whole frames of the scene"),
@@ -77,7 +81,11 @@ UP_AXES = (
 )
 BONE_STYLES = (
     ("POINT", "Point to Child", "Let each bone point to its child and key rotations as quaternions"),
-    ("AXES", "File's Axes", "Give each bone the axes of the file, so that its Euler channels hold the file's own numbers"),
+    (
+        "AXES",
+        "File's Axes",
+        "Give each bone the axes of the file, so that its Euler channels hold the file's own numbers",
+    ),
 )
 
 
@@ -195,9 +203,7 @@ class MotionEntry(PropertyGroup):
         update=_rebuild,
         override=OVERRIDABLE,
     )
-    keys: EnumProperty(
-        name="Keys", description="Where keys are set", items=KEYS, update=_rebuild, override=OVERRIDABLE
-    )
+    keys: EnumProperty(name="Keys", description="Where keys are set", items=KEYS, update=_rebuild, override=OVERRIDABLE)
     filter_kind: EnumProperty(
         name="Filter", description="The kind of filter", items=FILTER_KINDS, update=_rebuild, override=OVERRIDABLE
     )
@@ -280,9 +286,7 @@ class MotionStack(PropertyGroup):
 class NewTrackOptions(PropertyGroup):
     """The form of the next track and the next filter; it lasts as long as the session."""
 
-    selected_only: BoolProperty(
-        name="Selected Bones Only", description="Act on the selected bones only", default=False
-    )
+    selected_only: BoolProperty(name="Selected Bones Only", description="Act on the selected bones only", default=False)
     bone_collection: StringProperty(
         name="Bone Collection", description="Act on the bones of this collection instead of the selected ones"
     )

@@ -7,11 +7,13 @@ The action that is written is plain and carries, as a custom property, a hash of
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-import motion_theater
 import numpy as np
+
+import motion_theater
 
 from . import compat, rig, scene, sources
 from .curves import base as base_curves
@@ -64,11 +66,24 @@ def rebuild(ob: Object, current_scene: bpy.types.Scene, *, over_edits: bool) -> 
     the_plan = plan.plan([as_plan_entry(entry) for entry in motion.entries], rest.names)
     _refuse_axis_angle(rest, the_plan.touched)
     below = _base(ob, motion, the_plan)
-    tracks = [_native_step(ob, motion, rest, step) for step in the_plan.steps]
-    evaluation = _evaluate(ob, motion, rest, the_plan, below, [native for native, _ in tracks], scene.rate_hz(current_scene))
+    steps = [_native_step(ob, motion, rest, step) for step in the_plan.steps]
+    base = [
+        channel
+        for bone in sorted(the_plan.touched)
+        for name in base_curves.channels_of(rest.modes[bone])
+        if (channel := base_curves.base_channel(below.below(bone), bone, rest.names[bone], name)) is not None
+    ]
+    native_rig = _native_rig(motion, rest, scene.rate_hz(current_scene))
     result = Result(ob)
     touched = {rest.names[bone] for bone in the_plan.touched}
     bones = [(number, name) for number, name in enumerate(rest.names) if name in touched or name in result.digests]
+    with ThreadPoolExecutor(1) as worker:  # the native module works without the interpreter; Blender is read meanwhile
+        evaluating = worker.submit(motion_theater.evaluate, native_rig, base, [native for native, _ in steps])
+        result.read(name for _, name in bones)
+        try:
+            evaluation = evaluating.result()
+        except motion_theater.MotionTheaterError as error:
+            raise UserError(str(error)) from error
     wanted = _wanted(rest, bones, below, evaluation)
     edited = [] if over_edits else result.edited(wanted, below.of_base)
     if edited:
@@ -76,7 +91,7 @@ def rebuild(ob: Object, current_scene: bpy.types.Scene, *, over_edits: bool) -> 
         raise UserError(edited_by_hand(edited))
     locked = result.write(wanted, touched, motion)
     motion.hand_edited = ""
-    return _tell(motion, the_plan, evaluation, [loaded for _, loaded in tracks], locked, scene.rate_hz(current_scene))
+    return _tell(motion, the_plan, evaluation, [loaded for _, loaded in steps], locked, scene.rate_hz(current_scene))
 
 
 def as_plan_entry(entry: MotionEntry) -> plan.Entry:
@@ -132,30 +147,13 @@ def _native_step(
         raise EntryError(step.entry, str(error)) from error
 
 
-def _evaluate(
-    ob: Object,
-    motion: MotionStack,
-    rest: rig.Rest,
-    the_plan: plan.Plan,
-    below: Base,
-    steps: Sequence[motion_theater.Track | motion_theater.Filter],
-    rate_hz: float,
-) -> motion_theater.Evaluation:
-    channels = [
-        base_curves.base_channel(below.below(bone), bone, rest.names[bone], channel)
-        for bone in sorted(the_plan.touched)
-        for channel in base_curves.channels_of(rest.modes[bone])
-    ]
-    file_axes = file_orders = None
-    if motion.skeleton_text:
-        skeleton = sources.skeleton_from_text(motion.skeleton_text)
-        matched = sources.matched_bones(motion, skeleton, rest.names)
-        file_axes, file_orders = rig.file_frame(rest, skeleton, matched, motion.up)
-    native_rig = rig.native_rig(rest, rate_hz=rate_hz, file_axes=file_axes, file_orders=file_orders)
-    try:
-        return motion_theater.evaluate(native_rig, [channel for channel in channels if channel is not None], list(steps))
-    except motion_theater.MotionTheaterError as error:
-        raise UserError(str(error)) from error
+def _native_rig(motion: MotionStack, rest: rig.Rest, rate_hz: float) -> motion_theater.Rig:
+    if not motion.skeleton_text:
+        return rig.native_rig(rest, rate_hz=rate_hz)
+    skeleton = sources.skeleton_from_text(motion.skeleton_text)
+    matched = sources.matched_bones(motion, skeleton, rest.names)
+    file_axes, file_orders = rig.file_frame(rest, skeleton, matched, motion.up)
+    return rig.native_rig(rest, rate_hz=rate_hz, file_axes=file_axes, file_orders=file_orders)
 
 
 def _wanted(
@@ -172,9 +170,7 @@ def _wanted(
         row: list[Wanted | None] = []
         for channel, components in read.CHANNELS.items():
             data_path, result = read.path(name, channel), results.get((number, channel))
-            for component in range(components):
-                curve = curves.get((data_path, component))
-                row.append(_wanted_curve(curve, result, component))
+            row += [_wanted_curve(curves.get((data_path, at)), result, at) for at in range(components)]
         wanted[name] = row
     return wanted
 

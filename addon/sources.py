@@ -19,8 +19,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import bpy
-import motion_theater
 import numpy as np
+
+import motion_theater
 
 from . import rig
 from .logic import names, skeleton_search

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 import bpy
 
-from . import compat, rebuild as rebuilding
+from . import compat
+from . import rebuild as rebuilding
 from .curves import read
 from .curves.result import Result
 from .logic import names

@@ -6,8 +6,9 @@ from collections import OrderedDict
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import motion_theater
 import numpy as np
+
+import motion_theater
 
 from ..logic.keys import LINEAR, frames
 from . import digest, read

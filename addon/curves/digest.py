@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import motion_theater
 import numpy as np
+
+import motion_theater
 
 from ..logic.keys import LINEAR
 from . import read

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import bpy
@@ -29,17 +29,25 @@ def index(bag: Bag | None) -> Index:
     return {} if bag is None else {(curve.data_path, curve.array_index): curve for curve in bag.fcurves}
 
 
+@lru_cache(maxsize=4096)
 def path(bone: str, channel: str) -> str:
     """Return the data path of a channel of a bone."""
     return f'pose.bones["{bpy.utils.escape_identifier(bone)}"].{channel}'
 
 
-def of_bone(curves: Index, bone: str) -> Iterator[FCurve | None]:
-    """Return all F-curves of a bone that a stack may write, in a fixed order; None where there is none."""
-    for channel, components in CHANNELS.items():
-        data_path = path(bone, channel)
-        for component in range(components):
-            yield curves.get((data_path, component))
+def slots(bone: str) -> list[tuple[str, int]]:
+    """Return path and index of all F-curves of a bone that a stack may write, in a fixed order."""
+    return [
+        (data_path, component)
+        for channel, components in CHANNELS.items()
+        for data_path in (path(bone, channel),)
+        for component in range(components)
+    ]
+
+
+def of_bone(curves: Index, bone: str) -> list[FCurve | None]:
+    """Return the F-curves of a bone in the order of `slots`; None where there is none."""
+    return [curves.get(slot) for slot in slots(bone)]
 
 
 def coordinates(curve: FCurve | None) -> NDArray[np.float32]:

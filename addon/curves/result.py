@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import bpy
@@ -14,7 +14,7 @@ from ..logic import record
 from . import digest, read, write
 
 if TYPE_CHECKING:
-    from bpy.types import Action, FCurve, Object
+    from bpy.types import Action, FCurve, Object, PoseBone
     from numpy.typing import NDArray
 
     from ..properties import MotionStack
@@ -34,8 +34,12 @@ class Result:
         self._curves = read.index(compat.bag_of(ob, self.assigned))
         self._now: dict[str, Coordinates] = {}
 
+    def read(self, bones: Iterable[str]) -> None:
+        """Read the keys of these bones, and keep them for what follows."""
+        for bone in bones:
+            self._read(bone)
+
     def _read(self, bone: str) -> Coordinates:
-        """Return the coordinates of all curves of a bone, read once."""
         if bone not in self._now:
             self._now[bone] = [read.coordinates(curve) for curve in read.of_bone(self._curves, bone)]
         return self._now[bone]
@@ -50,17 +54,17 @@ class Result:
         now = self._read(bone)
         recorded = self.digests.get(bone)
         if recorded is None:
-            before = list(read.of_bone(base, bone))
+            before = read.of_bone(base, bone)
             expected = [read.coordinates(curve) for curve in before]
             if not all(np.array_equal(a, b) for a, b in zip(now, expected)):
                 return True
-            return digest.shape(list(read.of_bone(self._curves, bone))) != digest.shape(before)
+            return digest.shape(read.of_bone(self._curves, bone)) != digest.shape(before)
         values, shape = digest.parts(recorded)
         if digest.values(now) != values:
             return True
         if self._writes_values_only(row, now, shape):
             return False
-        return digest.shape(list(read.of_bone(self._curves, bone))) != shape
+        return digest.shape(read.of_bone(self._curves, bone)) != shape
 
     @staticmethod
     def _writes_values_only(row: Sequence[write.Wanted | None], now: Coordinates, shape: str) -> bool:
@@ -81,14 +85,15 @@ class Result:
         unkeyed = _decode_unkeyed(motion.unkeyed)
         digests, locked = {}, []
         for bone, row in wanted.items():
-            curves = list(read.of_bone(self._curves, bone))
+            curves = read.of_bone(self._curves, bone)
             if any(_is_locked(curve) for curve in curves):
                 locked.append(bone)
                 written = self.digests.get(bone)
             else:
-                self._note_unkeyed(bone, row, unkeyed)
-                written = self._write_bone(bag, bone, row)
-                self._restore_unkeyed(bone, row, unkeyed)
+                changes = _changes(curves, row)
+                _note_unkeyed(self._ob.pose.bones[bone], changes, unkeyed)
+                written = self._write_bone(bag, bone, curves, row)
+                _restore_unkeyed(self._ob.pose.bones[bone], changes, unkeyed)
             if bone in touched and written is not None:
                 digests[bone] = written
         motion.unkeyed = json.dumps(unkeyed) if unkeyed else ""
@@ -117,51 +122,32 @@ class Result:
         compat.assign(ob, action, slot)
         return action
 
-    def _write_bone(self, bag: compat.Bag, bone: str, row: Sequence[write.Wanted | None]) -> str:
+    def _write_bone(
+        self, bag: compat.Bag, bone: str, curves: Sequence[FCurve | None], row: Sequence[write.Wanted | None]
+    ) -> str:
         """Write the curves of a bone that differ; return the hash of what it has then."""
-        before = self._now.get(bone) or [read.coordinates(curve) for curve in read.of_bone(self._curves, bone)]
-        plain = not digest.parts(self.digests.get(bone, "."))[1] and bone in self.digests
+        before = self._now.get(bone) or [read.coordinates(curve) for curve in curves]
+        recorded = self.digests.get(bone)
+        has_plain_keys = recorded is not None and not digest.parts(recorded)[1]
         after: Coordinates = []
-        position = 0
-        for channel, components in read.CHANNELS.items():
-            for component in range(components):
-                wanted, current = row[position], before[position]
-                position += 1
-                if wanted is None:
-                    write.remove_curve(bag, self._curves, bone, channel, component)
-                    after.append(current[:0])
-                    continue
-                after.append(wanted.coordinates)
-                curve = write.ensure_curve(bag, self._curves, bone, channel, component)
-                if not (plain and wanted.is_plain and write.same_frames(wanted, current)):
-                    write.write_keys(curve, wanted)
-                    if 2 * len(curve.keyframe_points) != len(wanted.coordinates):
-                        after[-1] = read.coordinates(curve)  # keys nearer than Blender tells apart were merged
-                elif not np.array_equal(wanted.coordinates, current):
+        for slot, curve, wanted, current in zip(read.slots(bone), curves, row, before):
+            if wanted is None:
+                if curve is not None:
+                    write.remove_curve(bag, self._curves, slot)
+                after.append(current[:0])
+                continue
+            after.append(wanted.coordinates)
+            values_only = has_plain_keys and wanted.is_plain and write.same_frames(wanted, current)
+            if curve is not None and values_only:
+                if not np.array_equal(wanted.coordinates, current):
                     write.write_values(curve, wanted.coordinates)
+                continue
+            curve = curve or write.new_curve(bag, self._curves, bone, slot)
+            write.write_keys(curve, wanted)
+            if 2 * len(curve.keyframe_points) != len(wanted.coordinates):
+                after[-1] = read.coordinates(curve)  # keys nearer than Blender tells apart were merged
         is_plain = all(wanted is None or wanted.is_plain for wanted in row)
-        shape = "" if is_plain else digest.shape(list(read.of_bone(self._curves, bone)))
-        return digest.joined(digest.values(after), shape)
-
-    def _note_unkeyed(
-        self, bone: str, row: Sequence[write.Wanted | None], unkeyed: dict[str, dict[str, list[float]]]
-    ) -> None:
-        """Remember the values of channels that get their first curve."""
-        pose_bone = self._ob.pose.bones[bone]
-        for channel, has_curve, gets_curve in self._changes(bone, row):
-            if gets_curve and not has_curve:
-                unkeyed.setdefault(bone, {}).setdefault(channel, list(getattr(pose_bone, channel)))
-
-    def _restore_unkeyed(
-        self, bone: str, row: Sequence[write.Wanted | None], unkeyed: dict[str, dict[str, list[float]]]
-    ) -> None:
-        """Put the values of channels back that have no curve any more."""
-        pose_bone = self._ob.pose.bones[bone]
-        for channel, _, gets_curve in self._changes(bone, row):
-            if not gets_curve and channel in unkeyed.get(bone, {}):
-                setattr(pose_bone, channel, unkeyed[bone].pop(channel))
-                if not unkeyed[bone]:
-                    del unkeyed[bone]
+        return digest.joined(digest.values(after), "" if is_plain else digest.shape(read.of_bone(self._curves, bone)))
 
     def detach(self, motion: MotionStack) -> None:
         """Leave the armature with the base after the last entry went.
@@ -186,16 +172,37 @@ class Result:
         motion.base_action = None
         motion.base_slot = ""
 
-    def _changes(self, bone: str, row: Sequence[write.Wanted | None]) -> list[tuple[str, bool, bool]]:
-        """Return for each channel whether it has a curve now, and whether it is to have one."""
-        changes, position = [], 0
-        curves = list(read.of_bone(self._curves, bone))
-        for channel, components in read.CHANNELS.items():
-            there = slice(position, position + components)
-            has_curve = any(curve is not None for curve in curves[there])
-            changes.append((channel, has_curve, any(wanted is not None for wanted in row[there])))
-            position += components
-        return changes
+
+Unkeyed = dict[str, dict[str, list[float]]]
+"""By bone and channel the values that a channel had before it got its first curve."""
+
+
+def _changes(curves: Sequence[FCurve | None], row: Sequence[write.Wanted | None]) -> list[tuple[str, bool, bool]]:
+    """Return for each channel of a bone whether it has a curve now, and whether it is to have one."""
+    changes, position = [], 0
+    for channel, components in read.CHANNELS.items():
+        there = slice(position, position + components)
+        has_curve = any(curve is not None for curve in curves[there])
+        changes.append((channel, has_curve, any(wanted is not None for wanted in row[there])))
+        position += components
+    return changes
+
+
+def _note_unkeyed(bone: PoseBone, changes: Iterable[tuple[str, bool, bool]], unkeyed: Unkeyed) -> None:
+    """Remember the values of channels that get their first curve."""
+    for channel, has_curve, gets_curve in changes:
+        if gets_curve and not has_curve:
+            unkeyed.setdefault(bone.name, {}).setdefault(channel, list(getattr(bone, channel)))
+
+
+def _restore_unkeyed(bone: PoseBone, changes: Iterable[tuple[str, bool, bool]], unkeyed: Unkeyed) -> None:
+    """Put the values of channels back that have no curve any more."""
+    of_bone = unkeyed.get(bone.name, {})
+    for channel, _, gets_curve in changes:
+        if not gets_curve and channel in of_bone:
+            setattr(bone, channel, of_bone.pop(channel))
+            if not of_bone:
+                del unkeyed[bone.name]
 
 
 def _is_result(action: Action | None) -> bool:
@@ -206,6 +213,6 @@ def _is_locked(curve: FCurve | None) -> bool:
     return curve is not None and (curve.lock or (curve.group is not None and curve.group.lock))
 
 
-def _decode_unkeyed(text: str) -> dict[str, dict[str, list[float]]]:
+def _decode_unkeyed(text: str) -> Unkeyed:
     decoded = json.loads(text) if text else {}
     return decoded if isinstance(decoded, dict) else {}

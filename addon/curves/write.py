@@ -48,19 +48,16 @@ def same_frames(wanted: Wanted, current: NDArray[np.float32]) -> bool:
     )
 
 
-def ensure_curve(bag: Bag, curves: read.Index, bone: str, channel: str, component: int) -> FCurve:
-    """Return the F-curve of one channel, made in the group of its bone if there is none.
+def new_curve(bag: Bag, curves: read.Index, bone: str, slot: tuple[str, int]) -> FCurve:
+    """Return a new F-curve in the group of its bone.
 
-    Automatic handles of new curves depend on the neighboring keys alone ("None" smoothing): an edit in one place then
-    never moves handles elsewhere, and dense keys need no more.
+    Its automatic handles depend on the neighboring keys alone ("None" smoothing): an edit in one place then never moves
+    handles elsewhere, and dense keys need no more.
     """
-    data_path = read.path(bone, channel)
-    curve = curves.get((data_path, component))
-    if curve is None:
-        curve = bag.fcurves.new(data_path, index=component)
-        curve.group = bag.groups.get(bone) or bag.groups.new(bone)
-        curve.auto_smoothing = "NONE"
-        curves[data_path, component] = curve
+    curve = bag.fcurves.new(slot[0], index=slot[1])
+    curve.group = bag.groups.get(bone) or bag.groups.new(bone)
+    curve.auto_smoothing = "NONE"
+    curves[slot] = curve
     return curve
 
 
@@ -100,12 +97,11 @@ def _restore_handles(curve: FCurve, wanted: Wanted) -> None:
             curve.keyframe_points.foreach_set(name, np.where(kept, then, now))
 
 
-def remove_curve(bag: Bag, curves: read.Index, bone: str, channel: str, component: int) -> None:
-    """Remove an F-curve, and the group of its bone if that was its last one."""
-    curve = curves.pop((read.path(bone, channel), component), None)
-    if curve is None:
-        return
-    group = curve.group
+def remove_curve(bag: Bag, curves: read.Index, slot: tuple[str, int]) -> None:
+    """Remove an F-curve, and the group of its bone if that was its last one (Blender does so itself in some versions)."""
+    curve = curves.pop(slot)
+    group_name = curve.group.name if curve.group is not None else ""
     bag.fcurves.remove(curve)
+    group = bag.groups.get(group_name)
     if group is not None and not len(group.channels):
         bag.groups.remove(group)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-
 ASSUMED_RATE_HZ = 120.0  # of motion files that do not say theirs: most Acclaim motion was recorded so
 SAME_FRAME = 1e-6  # as in the core: two frames nearer than this are one
 

@@ -45,9 +45,7 @@ def frames(coordinates: Array) -> Array:
 def made(coordinates: NDArray[np.float32], interpolation: NDArray[np.int32] | None) -> Keys:
     """Return new keys at coordinates, with handles that Blender will compute; linear where nothing else is said."""
     number = len(coordinates) // 2
-    keys: Keys = {
-        name: np.full(number * width, _DEFAULTS.get(name, 0), kind) for name, (kind, width) in FIELDS.items()
-    }
+    keys: Keys = {name: np.full(number * width, _DEFAULTS.get(name, 0), kind) for name, (kind, width) in FIELDS.items()}
     for name in ("co", "handle_left", "handle_right"):
         keys[name] = coordinates.copy()
     keys["interpolation"] = (
@@ -70,8 +68,6 @@ def spliced(old: Keys, new: Keys, start: float, end: float) -> Keys:
     if not before.any() and not after.any():
         return new
     return {
-        name: np.concatenate(
-            (old[name][np.repeat(before, width)], new[name], old[name][np.repeat(after, width)])
-        )
+        name: np.concatenate((old[name][np.repeat(before, width)], new[name], old[name][np.repeat(after, width)]))
         for name, (_, width) in FIELDS.items()
     }

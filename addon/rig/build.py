@@ -22,8 +22,9 @@ from mathutils import Vector
 from ..logic import axes
 
 if TYPE_CHECKING:
-    import motion_theater
     from bpy.types import Armature, Context, EditBone, Object
+
+    import motion_theater
 
     from ..logic.axes import Floats
 

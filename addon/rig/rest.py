@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import motion_theater
 import numpy as np
+
+import motion_theater
 
 from ..logic import axes
 
@@ -108,7 +109,9 @@ def scale_from_rest(rest: Rest, skeleton: motion_theater.Skeleton, file_names: M
     pairs = [(number, at[file_names[name]]) for number, name in enumerate(skeleton.names) if name in file_names]
     if not pairs:
         return skeleton.unit_m
-    in_file, in_scene = (np.asarray(heads)[list(which)] for heads, which in zip((skeleton.heads, rest.heads), zip(*pairs)))
+    in_file, in_scene = (
+        np.asarray(heads)[list(which)] for heads, which in zip((skeleton.heads, rest.heads), zip(*pairs))
+    )
     extent_file, extent_scene = (
         float(np.linalg.norm(heads - heads.mean(axis=0), axis=1).mean()) for heads in (in_file, in_scene)
     )

@@ -1,14 +1,12 @@
-"""Every test begins with an empty file."""
+"""Every test of the scene begins with an empty file."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-import harness
 import pytest
+
+from tests import harness
 
 
 @pytest.fixture(autouse=True)
-def empty_file() -> Iterator[None]:
+def _empty_file() -> None:
     harness.empty_file()
-    yield
