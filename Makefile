@@ -37,7 +37,6 @@ test: test-rust test-python test-blender test-install fuzz-smoke ## Run every te
 test-rust: ## Test the core
 	$(LIMIT) cargo test --locked --package motion-theater-core
 
-
 # Folders of tests that need no Blender.
 PURE := tests/native tests/logic tests/testdata tests/docs
 test-python: build/venv/tools/.module ## Test the Python module and all logic that needs no Blender
