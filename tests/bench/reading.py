@@ -22,7 +22,7 @@ def measure() -> Iterator[Row]:
 def _against_the_limit(measured: Take) -> Row:
     """The limit is measured in Rust, in one process: the same numbers read from a text that holds nothing else."""
     command = ["cargo", "bench", "--quiet", "--locked", "--package", "motion-theater-core", "--bench", "read", "--"]
-    done = subprocess.run([*command, measured.amc, measured.asf], cwd=ROOT, capture_output=True, text=True, check=True)
+    done = subprocess.run([*command, measured.amc, measured.asf], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     times = {name: float(time) for name, time in re.findall(r"^(\w+) +([\d.]+) ms", done.stdout, re.MULTILINE)}
     detail = f"{times['amc']:.3g} ms, its numbers alone {times['numbers']:.3g} ms"
     return Row("AMC bytes read, one thread, share of the limit", times["numbers"] / times["amc"], 0.5, detail=detail)
