@@ -38,7 +38,7 @@ test-rust: ## Test the core
 	$(LIMIT) cargo test --locked --package motion-theater-core
 
 test-python: build/venv/tools/.module ## Test the Python module and all logic that needs no Blender
-	$(LIMIT) $(TOOLS)/python -m pytest tests/native tests/logic tests/testdata
+	$(LIMIT) $(TOOLS)/python -m pytest tests/native tests/logic tests/testdata tests/demo
 
 test-blender: $(BLENDERS:%=test-blender-%) ## Test the add-on in every Blender; in one: test-blender-4.2, -4.5, -5.0
 

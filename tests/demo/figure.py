@@ -83,9 +83,7 @@ def _chest(
     return cones
 
 
-def _head(
-    heads: Mapping[str, Floats], tails: Mapping[str, Floats], colour: Callable[[str], Colour]
-) -> list[RoundCone]:
+def _head(heads: Mapping[str, Floats], tails: Mapping[str, Floats], colour: Callable[[str], Colour]) -> list[RoundCone]:
     """A head with a visor, so that one sees where it looks."""
     base, top = heads["head"], tails["head"]
     up = top - base

@@ -18,12 +18,12 @@ Colour = tuple[int, int, int]
 SUPERSAMPLING = 2
 """Pictures are drawn this much larger and reduced, so that edges are smooth."""
 
-KEY_LIGHT = np.array([0.45, -0.55, 0.9]) / np.linalg.norm([0.45, -0.55, 0.9])
-FILL_LIGHT = np.array([-0.8, -0.35, 0.35]) / np.linalg.norm([-0.8, -0.35, 0.35])
+KEY_LIGHT = np.array([0.20, -0.75, 0.85]) / np.linalg.norm([0.20, -0.75, 0.85])
+FILL_LIGHT = np.array([-0.9, 0.1, 0.35]) / np.linalg.norm([-0.9, 0.1, 0.35])
 
-BACKGROUND: Colour = (243, 244, 247)
-FLOOR: Colour = (228, 231, 236)
-GRID: Colour = (198, 204, 213)
+BACKGROUND: Colour = (252, 252, 254)
+FLOOR: Colour = (233, 236, 241)
+GRID: Colour = (196, 203, 213)
 
 GRID_M = 0.25
 SHADOW_TEXELS_PER_M = 90
@@ -85,7 +85,8 @@ class Camera:
         x = (np.arange(left, right) + 0.5 - self.width * SUPERSAMPLING / 2) / scale
         y = (np.arange(top, bottom) + 0.5 - self.height * SUPERSAMPLING / 2) / scale
         grid = np.stack([*np.meshgrid(x, -y), np.ones((len(y), len(x)))], axis=-1) @ self.axes
-        return grid / np.linalg.norm(grid, axis=-1, keepdims=True)
+        directions: Floats = grid / np.linalg.norm(grid, axis=-1, keepdims=True)
+        return directions
 
 
 class Stage:
@@ -119,17 +120,16 @@ class Stage:
     def _shadow_size() -> int:
         return int(2 * SHADOW_HALF_M * SHADOW_TEXELS_PER_M)
 
-    def with_bodies(self, bodies: list[list[RoundCone]]) -> Floats:
-        """The stage with the bodies on it and their shadow under them."""
-        picture = self.picture * (1.0 - 0.55 * self._shadow(bodies) * self._fade)[..., None]
-        draw_cones(picture, self.camera, [cone for body in bodies for cone in body])
-        return picture
+    def with_body(self, body: list[RoundCone]) -> tuple[Floats, Floats]:
+        """The stage with a body on it and its shadow under it; and how far away the body is at each pixel."""
+        picture = self.picture * (1.0 - 0.55 * self._shadow(body) * self._fade)[..., None]
+        return picture, draw_cones(picture, self.camera, body)
 
-    def _shadow(self, bodies: list[list[RoundCone]]) -> Floats:
+    def _shadow(self, body: list[RoundCone]) -> Floats:
         size = self._shadow_size()
         texture = Image.new("L", (size, size), 0)
         pen = ImageDraw.Draw(texture)
-        for cone in (cone for body in bodies for cone in body):
+        for cone in body:
             ends = []
             for point, radius in ((cone.start, cone.start_radius), (cone.end, cone.end_radius)):
                 ground = point[:2] - KEY_LIGHT[:2] * point[2] / KEY_LIGHT[2]
@@ -154,8 +154,11 @@ class Stage:
         return np.where(self._on_map, shadow, 0.0)
 
 
-def draw_cones(picture: Floats, camera: Camera, cones: list[RoundCone]) -> None:
-    """Draw round cones into `picture`, nearer ones over farther ones, with a line where one passes over another."""
+def draw_cones(picture: Floats, camera: Camera, cones: list[RoundCone]) -> Floats:
+    """Draw round cones into `picture`, nearer ones over farther ones, with a line where one passes over another.
+
+    Returns how far away the nearest is at each pixel, infinite where there is none.
+    """
     height, width = picture.shape[:2]
     depth = np.full((height, width), np.inf)
     layer = np.zeros((height, width, 3))
@@ -172,6 +175,7 @@ def draw_cones(picture: Floats, camera: Camera, cones: list[RoundCone]) -> None:
     body = np.isfinite(depth)
     layer *= (1.0 - 0.5 * _contours(depth))[..., None]
     picture[body] = layer[body]
+    return depth
 
 
 def _bounds(cone: RoundCone, camera: Camera, width: int, height: int) -> tuple[int, int, int, int] | None:
@@ -232,12 +236,14 @@ def _shade(normal: Floats, colour: Colour, camera: Camera) -> Floats:
     gloss = np.clip(normal @ _halfway(camera), 0.0, 1.0) ** 36
     light = 0.2 + 0.16 * sky + 0.72 * key + 0.16 * fill
     shaded = linear(colour) * (light * (0.72 + 0.28 * facing))[:, None]
-    return shaded + 0.07 * gloss[:, None]
+    lit: Floats = shaded + 0.07 * gloss[:, None]
+    return lit
 
 
 def _halfway(camera: Camera) -> Floats:
     half = KEY_LIGHT - camera.axes[2]
-    return half / np.linalg.norm(half)
+    unit: Floats = half / np.linalg.norm(half)
+    return unit
 
 
 def _contours(depth: Floats) -> Floats:
