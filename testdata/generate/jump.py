@@ -18,35 +18,25 @@ TAKE_OFF_S = 1.08
 LANDING_S = 1.44
 STEP_M = 0.36
 JUMP_M = 0.46
+BEFORE_S, AFTER_S = -9.0, 9.0
+"""Before the clip begins and after it ends."""
+
+TILT = ((0.0, 3.0), (0.45, 6.0), (0.84, 27.0), (1.08, 3.0), (1.25, -3.0), (1.45, 9.0), (1.63, 24.0), (1.87, 8.0))
+BEND = ((0.0, 2.0), (0.45, 7.0), (0.84, 34.0), (1.1, -3.0), (1.25, -2.0), (1.45, 12.0), (1.65, 32.0), (1.87, 12.0))
 
 
 def step_and_jump(times: Floats) -> Dofs:
     """The clip, along +Z."""
-    paths = {side: feet.path(times, _stances(side), f"jump {side}", lift=0.05) for side in ("l", "r")}
+    paths = {side: feet.path(times, _stances(side), f"jump {side}") for side in ("l", "r")}
     ground = feet.support(times, paths["l"], paths["r"])
     plan = Plan(
         seed="jump",
         times=times,
         root=np.stack([ground[:, 0], np.full(len(times), 1.01), ground[:, 2]], axis=-1),
         heading=spline(times, [(0.0, 0.0), (0.25, 5.0), (0.6, -3.0), (0.85, 0.0), (1.4, 1.0), (1.87, 0.0)]),
-        tilt=spline(
-            times,
-            [(0.0, 3.0), (0.45, 6.0), (0.84, 27.0), (1.08, 3.0), (1.25, -3.0), (1.45, 9.0), (1.63, 24.0), (1.87, 8.0)],
-        ),
+        tilt=spline(times, TILT),
         list=spline(times, [(0.0, 0.0), (0.25, 2.5), (0.6, -2.5), (0.85, 0.0), (1.3, 0.8), (1.6, -0.6), (1.87, 0.0)]),
-        bend=spline(
-            times,
-            [
-                (0.0, 2.0),
-                (0.45, 7.0),
-                (0.84, 34.0),
-                (1.1, -3.0),
-                (1.25, -2.0),
-                (1.45, 12.0),
-                (1.65, 32.0),
-                (1.87, 12.0),
-            ],
-        ),
+        bend=spline(times, BEND),
         twist=spline(times, [(0.0, 0.0), (0.25, -7.0), (0.6, 5.0), (0.85, 0.0), (1.3, -1.5), (1.87, 1.0)]),
         lean=spline(times, [(0.0, 0.0), (0.25, -3.0), (0.6, 3.0), (0.85, 0.0), (1.3, -0.8), (1.6, 0.8), (1.87, 0.0)]),
         gaze_side=spline(times, [(0.0, 0.0), (0.5, 2.0), (1.2, -2.0), (1.87, 0.0)]),
@@ -59,32 +49,42 @@ def step_and_jump(times: Floats) -> Dofs:
 
 
 def _stances(side: str) -> list[Stance]:
+    """The right foot steps first, the left follows, both jump."""
     s = 1 if side == "l" else -1
-    before = {
-        "r": [
-            Stance(-9.0, 0.13, -0.09, 0.0, -5.0, release_pitch=-38.0, roll=0.13),
-            Stance(
-                0.43,
-                TAKE_OFF_S,
-                -0.095,
-                STEP_M + 0.01,
-                -6.0,
-                strike_pitch=12.0,
-                release_pitch=-60.0,
-                settle=0.09,
-                roll=0.24,
-            ),
-        ],
-        "l": [
-            Stance(-9.0, 0.47, 0.09, 0.0, 5.0, release_pitch=-50.0, roll=0.26),
-            Stance(0.75, TAKE_OFF_S, 0.095, STEP_M, 6.0, strike_pitch=5.0, release_pitch=-60.0, settle=0.07, roll=0.24),
-        ],
-    }[side]
-    late = 0.012 if side == "l" else 0.0
-    landing = Stance(
-        LANDING_S + late, 9.0, s * 0.11, STEP_M + JUMP_M + 0.01 * s, s * 8.0, strike_pitch=-24.0, settle=0.11
+    left = side == "l"
+    start = Stance(
+        strike=BEFORE_S,
+        release=0.47 if left else 0.13,
+        x=s * 0.09,
+        z=0.0,
+        heading=s * 5.0,
+        release_pitch=-50.0 if left else -38.0,
+        roll=0.26 if left else 0.13,
     )
-    return [*before, landing]
+    step = Stance(
+        strike=0.75 if left else 0.43,
+        release=TAKE_OFF_S,
+        x=s * 0.095,
+        z=STEP_M - s * 0.005,
+        heading=s * 6.0,
+        strike_pitch=5.0 if left else 12.0,
+        release_pitch=-60.0,
+        settle=0.08,
+        roll=0.24,
+        lift=0.05,
+    )
+    landing = Stance(
+        strike=LANDING_S + (0.012 if left else 0.0),
+        release=AFTER_S,
+        x=s * 0.11,
+        z=STEP_M + JUMP_M + s * 0.01,
+        heading=s * 8.0,
+        strike_pitch=-24.0,
+        settle=0.11,
+        lift=0.11,
+        drop=1.2,
+    )
+    return [start, step, landing]
 
 
 def _arm(times: Floats, side: str) -> Arm:

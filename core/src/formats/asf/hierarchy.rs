@@ -3,7 +3,7 @@
 use super::read::next_of_section;
 use super::{Asf, Family, ROOT};
 use crate::error::ParseError;
-use crate::text::{error_at, Lines};
+use crate::text::{error_at, Lines, Word};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 
@@ -28,8 +28,7 @@ pub(super) fn read_hierarchy(lines: &mut Lines<'_>) -> Result<(Vec<Family>, Fami
         } else {
             let children: Vec<_> = words.collect();
             positions.push(std::iter::once(parent.at).chain(children.iter().map(|child| child.at)).collect());
-            families
-                .push(Family { parent: parent.text(), children: children.iter().map(|child| child.text()).collect() });
+            families.push(Family { parent: parent.text(), children: children.iter().map(Word::text).collect() });
         }
     }
     match lines.peek_words().and_then(|mut words| words.next()) {
