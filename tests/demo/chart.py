@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from .render import Colour, Floats
+from .camera import Colour, Floats
 from .states import Row
 
 SCALE = 2

@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from .camera import Camera
 from .chart import INK, MUTED, ROW_HEIGHT, Area, Sheet, curves, paths, timeline
 from .panel import BEFORE, figure, stage_for, stages_along
-from .render import Camera, Stage
+from .stage import Stage
 from .states import HANDS, State, hand_accelerations
 
 RATE_HZ = 60.0

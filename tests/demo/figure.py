@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping, Set
 
 import numpy as np
 
-from .render import Colour, Floats, RoundCone
+from .camera import Colour, Floats
+from .cones import RoundCone
 
 LIMBS: dict[str, tuple[float, float]] = {
     "femur": (0.088, 0.056),

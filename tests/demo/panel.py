@@ -8,15 +8,22 @@ from dataclasses import replace
 import numpy as np
 from PIL import Image, ImageDraw
 
+from .camera import SUPERSAMPLING, Camera, Colour, Floats, to_image
 from .figure import mannequin
-from .render import SUPERSAMPLING, Camera, Colour, Floats, Stage, to_image
+from .stage import Stage
 from .states import FEET, HANDS, State
 
 PLAIN: Colour = (150, 160, 176)
 BEFORE: Colour = (214, 56, 52)
 """Trails of the state before."""
 
+QUIET: Colour = (96, 106, 122)
+"""Trails of bones that this step left as they were."""
+
 TRAIL_FRAMES = 30
+HIDDEN_BEHIND_M = 0.06
+"""A trail this far behind the body's surface is hidden: the bone itself lies under the surface."""
+
 AZIMUTH_DEG = -46.0
 ELEVATION_DEG = 9.0
 DISTANCE_M = 7.5
@@ -63,31 +70,31 @@ def figure(stage: Stage, state: State, frame: int, before: State | None = None) 
     heads = dict(zip(state.names, state.heads[frame], strict=True))
     tails = dict(zip(state.names, state.tails[frame], strict=True))
     picture, depth = stage.with_body(mannequin(heads, tails, state.highlighted, state.tint, PLAIN))
+    height, width = depth.shape
+    layer = Image.new("RGBA", (width, height))
+    pen = ImageDraw.Draw(layer)
+    since = slice(max(0, frame - TRAIL_FRAMES), frame + 1)
+    if before is not None:
+        for bone in HANDS:
+            _trail(pen, stage.camera, depth, before.trail(bone)[since], BEFORE, 2)
+    for bone in (*FEET, *HANDS):
+        colour = state.tint if bone in state.highlighted else QUIET
+        _trail(pen, stage.camera, depth, state.trail(bone)[since], colour, 3)
     image = to_image(picture).convert("RGBA")
-    for shown, thickness in ((before, 1.1), (state, 1.7)):
-        if shown is None:
-            continue
-        for bone in (*HANDS, *FEET):
-            if bone in shown.names and (shown is state or bone in HANDS):
-                colour = BEFORE if shown is not state else state.tint if bone in state.highlighted else (96, 106, 122)
-                path = shown.trail(bone)[max(0, frame - TRAIL_FRAMES) : frame + 1]
-                image.alpha_composite(_trail(stage.camera, depth, path, colour, thickness))
+    image.alpha_composite(layer.resize(image.size, Image.Resampling.BOX))
     return image.convert("RGB")
 
 
-def _trail(camera: Camera, depth: Floats, path: Floats, colour: Colour, thickness: float) -> Image.Image:
+def _trail(
+    pen: ImageDraw.ImageDraw, camera: Camera, depth: Floats, path: Floats, colour: Colour, thickness: int
+) -> None:
     """A line that fades towards its older end and passes behind the body."""
     height, width = depth.shape
-    layer = Image.new("RGBA", (width, height), (*colour, 0))
-    pen = ImageDraw.Draw(layer)
     pixels, _ = camera.project(path)
     distance = np.linalg.norm(path - camera.position, axis=-1)
     for i in range(len(path) - 1):
-        middle = (pixels[i] + pixels[i + 1]) / 2
-        x, y = (int(np.clip(value, 0, limit - 1)) for value, limit in zip(middle, (width, height), strict=True))
-        if distance[i] > depth[y, x] + 0.06:
-            continue
-        alpha = int(225 * ((i + 1) / len(path)) ** 1.4)
-        line = [(float(px), float(py)) for px, py in pixels[i : i + 2]]
-        pen.line(line, fill=(*colour, alpha), width=round(thickness * SUPERSAMPLING))
-    return layer.resize((width // SUPERSAMPLING, height // SUPERSAMPLING), Image.Resampling.BOX)
+        (x0, y0), (x1, y1) = pixels[i], pixels[i + 1]
+        x, y = min(max(int((x0 + x1) / 2), 0), width - 1), min(max(int((y0 + y1) / 2), 0), height - 1)
+        if distance[i] < depth[y, x] + HIDDEN_BEHIND_M:
+            alpha = int(225 * ((i + 1) / len(path)) ** 1.4)
+            pen.line([float(x0), float(y0), float(x1), float(y1)], fill=(*colour, alpha), width=thickness)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .render import Colour, Floats
+from .camera import Colour, Floats
 
 HANDS = ("lfingers", "rfingers")
 FEET = ("ltoes", "rtoes")

@@ -13,9 +13,11 @@ from testdata.generate.kinematics import Dofs
 from testdata.generate.skeleton import BONES
 
 from . import draw
+from .camera import SUPERSAMPLING, Camera, Colour, to_image
+from .cones import RoundCone, draw_cones
 from .figure import mannequin
 from .panel import stage_for
-from .render import SUPERSAMPLING, Camera, Colour, RoundCone, Stage, draw_cones, to_image
+from .stage import Stage
 from .states import Row, Span, State, hand_accelerations
 
 ORANGE: Colour = (232, 122, 38)

@@ -18,7 +18,7 @@ import numpy as np
 from tests import harness
 
 from . import draw
-from .render import Colour
+from .camera import Colour
 from .states import Row, Span, State
 
 LEGS = ("root", "lhipjoint", "rhipjoint")
