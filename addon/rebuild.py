@@ -140,7 +140,6 @@ def _native_step(
         if entry.kind == "FILTER":
             plan.check_depth(entry.depth)
             return motion_theater.Filter(label=entry.name, bones=step.bones, **options), None
-        plan.check_track(options)
         clip_motion, loaded = sources.rest_motion(ob, entry, rest)
         return motion_theater.Track(clip_motion, label=entry.name, bones=step.bones, **options), loaded
     except (UserError, motion_theater.MotionTheaterError) as error:

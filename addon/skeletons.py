@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 from . import rig, sources, stack
 from .logic import axes, names
-from .logic.messages import base_name, bones
+from .logic.messages import UserError, base_name, bones
 
 if TYPE_CHECKING:
     from bpy.types import Context, Object
+
+MOST_BONES = 2048  # ten times what the largest captured skeletons have; Blender's Edit Mode takes minutes for more
 
 
 def import_skeleton(
@@ -25,6 +27,8 @@ def import_skeleton(
     """Make an armature from a skeleton file; return it with what is to be said about it, the result first."""
     loaded = sources.read_file(path)
     skeleton = sources.as_skeleton(loaded)
+    if len(skeleton.names) > MOST_BONES:
+        raise UserError(f"{base_name(path)} has {len(skeleton.names)} bones: more than {MOST_BONES} are not imported")
     chosen_up = axes.up_axis(skeleton.up) if up == "AUTO" else up
     unit = skeleton.unit_m * scale / context.scene.unit_settings.scale_length
     ob, bone_names = rig.build_armature(

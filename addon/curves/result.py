@@ -105,12 +105,14 @@ class Result:
         """Return the action to write: the one assigned if it is ours alone, else a copy of it or of the base."""
         ob = self._ob
         if self.is_ours and self.assigned is not None:
-            if not compat.used_by_others(ob, self.assigned):
+            if self.assigned.is_editable and not compat.used_by_others(ob, self.assigned):
                 return self.assigned
             origin: Action | None = self.assigned
             slot = compat.slot_name(ob)
         else:
             origin, slot = motion.base_action, motion.base_slot
+            if self.assigned is not None and self.assigned != origin and self.assigned.is_editable:
+                self.assigned.use_fake_user = True  # the animator's own action must not vanish with its last user
             self._now.clear()  # what was read is of an action that stays as it is
             self.digests = {}
         name = f"{ob.name} Motion"
@@ -163,7 +165,7 @@ class Result:
             before = read.index(compat.bag_of(ob, motion.base_action, slot_name=motion.base_slot))
             if read.same(now, before):
                 compat.assign(ob, motion.base_action, motion.base_slot)
-                if not action.users:
+                if not action.users and action.is_editable:
                     bpy.data.actions.remove(action)
                 if motion.base_action is None and not animation.drivers and not animation.nla_tracks:
                     ob.animation_data_clear()
@@ -206,7 +208,7 @@ def _restore_unkeyed(bone: PoseBone, changes: Iterable[tuple[str, bool, bool]], 
 
 
 def _is_result(action: Action | None) -> bool:
-    return action is not None and action.library is None and record.KEY in action
+    return action is not None and record.KEY in action
 
 
 def _is_locked(curve: FCurve | None) -> bool:

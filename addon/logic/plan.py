@@ -87,11 +87,3 @@ def check_depth(depth: int) -> None:
     """Refuse a filter depth that has no middle."""
     if depth < 3 or depth % 2 == 0:
         raise UserError(f"The depth of a filter is an odd number from 3 on, not {depth}")
-
-
-def check_track(options: Mapping[str, object]) -> None:
-    """Refuse ranges that end before they start."""
-    for name in ("cut", "scale"):
-        start, end = options.get(f"{name}_start"), options.get(f"{name}_end")
-        if isinstance(start, int) and isinstance(end, int) and end < start:
-            raise UserError(f"{name.capitalize()} End {end} lies before {name.capitalize()} Start {start}")
