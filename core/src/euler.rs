@@ -1,13 +1,28 @@
 //! Euler angles of any order <-> unit quaternions.
+//!
+//! Angles are always indexed x, y, z; the order only says which is applied first (about fixed axes). Extraction follows
+//! K. Shoemake, "Euler Angle Conversion" (Graphics Gems IV, 1994), in f64.
 
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+use std::str::FromStr;
+
+use glam::{DMat3, DQuat, DVec3};
+
+use crate::error::ParameterError;
 use crate::skeleton::EulerOrder;
-use glam::{DQuat, DVec3};
+
+/// Two rotations closer than this angle (radians) are one and the same: the rounding of a dozen f64 operations.
+const SAME_ROTATION_RAD: f64 = 1e-12;
+
+/// Below this cosine of the middle angle only the sum or difference of the other two is known.
+const GIMBAL_LOCK_COSINE: f64 = 1e-9;
 
 impl EulerOrder {
-    /// Every order, `XYZ` first.
+    /// All six, for tables and tests.
     pub const ALL: [Self; 6] = [Self::Xyz, Self::Xzy, Self::Yxz, Self::Yzx, Self::Zxy, Self::Zyx];
 
-    /// Returns the axes (0, 1, 2 for X, Y, Z) in the order in which they are applied.
+    /// Returns the axes (0 = x) in the order in which they are applied.
     pub const fn axes(self) -> [usize; 3] {
         match self {
             Self::Xyz => [0, 1, 2],
@@ -19,33 +34,153 @@ impl EulerOrder {
         }
     }
 
-    /// Returns the rotation by `angles` (radians, indexed x, y, z whatever the order): the first letter of the order is
-    /// applied first, about fixed axes, so that `XYZ` is `Rz * Ry * Rx`.
+    /// Returns the order's name as Blender writes it, `"XYZ"` and so on.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Xyz => "XYZ",
+            Self::Xzy => "XZY",
+            Self::Yxz => "YXZ",
+            Self::Yzx => "YZX",
+            Self::Zxy => "ZXY",
+            Self::Zyx => "ZYX",
+        }
+    }
+
+    /// Returns the rotation by `angles` (radians, indexed x, y, z): the first axis of the order is applied first.
     pub fn quat(self, angles: [f64; 3]) -> DQuat {
-        let [first, second, third] = self.axes().map(|axis| about(axis, angles[axis]));
-        third * second * first
+        self.axes()
+            .into_iter()
+            .fold(DQuat::IDENTITY, |rotation, axis| DQuat::from_axis_angle(DVec3::AXES[axis], angles[axis]) * rotation)
+    }
+
+    /// Returns angles in radians that give `rotation`, the middle one within a quarter turn.
+    pub fn angles(self, rotation: DQuat) -> [f64; 3] {
+        let [i, j, k] = self.axes();
+        let parity = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
+        let matrix = DMat3::from_quat(rotation);
+        let at = |row: usize, column: usize| matrix.col(column)[row];
+        let cosine = at(i, i).hypot(at(j, i));
+        let mut angles = [0.0; 3];
+        angles[j] = (-parity * at(k, i)).atan2(cosine);
+        if cosine > GIMBAL_LOCK_COSINE {
+            angles[i] = (parity * at(k, j)).atan2(at(k, k));
+            angles[k] = (parity * at(j, i)).atan2(at(i, i));
+        } else {
+            angles[i] = (-parity * at(j, k)).atan2(at(j, j));
+        }
+        angles
+    }
+
+    /// Returns the angles that give `rotation` and lie nearest to `hint`: whole turns and the second solution
+    /// included. Where `hint` itself gives the rotation, it comes back unchanged.
+    pub fn angles_near(self, rotation: DQuat, hint: [f64; 3]) -> [f64; 3] {
+        let difference = self.quat(hint).conjugate() * rotation;
+        if difference.xyz().length() * 2.0 < SAME_ROTATION_RAD {
+            return hint;
+        }
+        let [i, j, k] = self.axes();
+        let mut angles = self.angles(rotation);
+        if angles[j].cos() <= GIMBAL_LOCK_COSINE {
+            let outer = DQuat::from_axis_angle(DVec3::AXES[k], hint[k]);
+            angles = self.angles(outer.conjugate() * rotation);
+            angles[k] += hint[k];
+        }
+        let mut other = [0.0; 3];
+        other[i] = angles[i] + PI;
+        other[j] = PI - angles[j];
+        other[k] = angles[k] + PI;
+        let [angles, other] = [angles, other].map(|found| nearest_turns(found, hint));
+        if distance(other, hint) < distance(angles, hint) {
+            other
+        } else {
+            angles
+        }
     }
 }
 
-fn about(axis: usize, angle: f64) -> DQuat {
-    DQuat::from_axis_angle(DVec3::AXES[axis], angle)
+impl fmt::Display for EulerOrder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for EulerOrder {
+    type Err = ParameterError;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        Self::ALL
+            .into_iter()
+            .find(|order| order.name().eq_ignore_ascii_case(name))
+            .ok_or_else(|| ParameterError(format!("expected an Euler order such as XYZ, found `{name}`")))
+    }
+}
+
+/// Shifts each angle by whole turns to within half a turn of `hint`.
+fn nearest_turns(angles: [f64; 3], hint: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| angles[axis] + ((hint[axis] - angles[axis]) / TAU).round() * TAU)
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|axis| (a[axis] - b[axis]).abs()).sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::EulerRot;
+    use proptest::prelude::*;
+
+    fn angle_between(a: DQuat, b: DQuat) -> f64 {
+        (a.conjugate() * b).xyz().length() * 2.0
+    }
 
     #[test]
-    fn quaternions_agree_with_glam_for_every_order() {
-        let glam_orders =
-            [EulerRot::XYZEx, EulerRot::XZYEx, EulerRot::YXZEx, EulerRot::YZXEx, EulerRot::ZXYEx, EulerRot::ZYXEx];
-        let angles = [0.3, -1.1, 2.4];
-        for (order, glam_order) in EulerOrder::ALL.into_iter().zip(glam_orders) {
-            let [a, b, c] = order.axes().map(|axis| angles[axis]);
-            let expected = DQuat::from_euler(glam_order, a, b, c);
-            // Four products of numbers below 1: a few units in the last place.
-            assert!(order.quat(angles).dot(expected).abs() > 1.0 - 1e-15, "{order:?}");
+    fn the_first_letter_is_applied_first_about_fixed_axes() {
+        let quarter = PI / 2.0;
+        let turned = EulerOrder::Xyz.quat([quarter, quarter, 0.0]) * DVec3::Y;
+        assert!((turned - DVec3::X).length() < 1e-12, "y -> (about x) z -> (about y) x, found {turned}");
+    }
+
+    #[test]
+    fn names_and_orders_are_the_same_thing() {
+        for order in EulerOrder::ALL {
+            assert_eq!(order.name().parse::<EulerOrder>(), Ok(order));
+        }
+        assert!("XYX".parse::<EulerOrder>().is_err());
+    }
+
+    #[test]
+    fn a_hint_decides_in_gimbal_lock() {
+        for order in EulerOrder::ALL {
+            let [i, j, k] = order.axes();
+            let mut angles = [0.0; 3];
+            (angles[i], angles[j], angles[k]) = (0.3, PI / 2.0, 1.1);
+            let mut hint = angles;
+            hint[k] += 0.01;
+            let found = order.angles_near(order.quat(angles), hint);
+            assert!(angle_between(order.quat(found), order.quat(angles)) < 1e-7, "{order}: {found:?}");
+            assert!((found[k] - hint[k]).abs() < 1e-9, "{order}: {found:?}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn extraction_gives_the_rotation_back(x in -9.0..9.0, y in -9.0..9.0, z in -9.0..9.0, order in 0..6usize) {
+            let order = EulerOrder::ALL[order];
+            let rotation = order.quat([x, y, z]);
+            prop_assert!(angle_between(order.quat(order.angles(rotation)), rotation) < 1e-7);
+        }
+
+        #[test]
+        fn near_a_hint_the_hints_own_solution_comes_back(
+            x in -9.0..9.0, y in -9.0..9.0, z in -9.0..9.0, order in 0..6usize, step in -0.05..0.05,
+        ) {
+            let order = EulerOrder::ALL[order];
+            let angles = [x, y, z];
+            prop_assert_eq!(order.angles_near(order.quat(angles), angles), angles);
+            let middle = order.axes()[1];
+            prop_assume!(angles[middle].cos().abs() > 0.2);
+            let found = order.angles_near(order.quat(angles), [x + step, y - step, z + step]);
+            prop_assert!(distance(found, angles) < 1e-9, "{:?}", found);
         }
     }
 }

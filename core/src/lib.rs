@@ -21,11 +21,14 @@ pub mod keys;
 pub mod motion;
 pub mod number;
 pub mod pose;
+pub mod rate;
 pub mod read;
+pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
 pub mod stack;
 mod text;
+pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
 pub use motion::{BoneMotion, Motion};

@@ -5,8 +5,8 @@ use glam::{DQuat, DVec3};
 /// The samples of one bone; every list is empty (no such channel) or has one item per frame.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BoneMotion {
-    /// Rotation relative to the rest pose, in the parent's rest axes as the motion's frame of reference says
-    /// (see [`Motion`]). Neighbours lie in one hemisphere.
+    /// Rotation relative to the rest pose, in the axes that the motion's frame of reference says (see [`Motion`]).
+    /// Neighbours lie in one hemisphere.
     pub rotations: Vec<DQuat>,
     /// The same rotations as the file's own Euler angles in radians, indexed x, y, z whatever their order;
     /// empty where they do not come from Euler angles.
@@ -15,6 +15,13 @@ pub struct BoneMotion {
     pub translations: Vec<DVec3>,
     /// Change of the bone's length (Acclaim `l`), in file units.
     pub stretches: Vec<f64>,
+}
+
+impl BoneMotion {
+    /// Returns true where the bone has no channel at all.
+    pub fn is_empty(&self) -> bool {
+        self.rotations.is_empty() && self.translations.is_empty() && self.stretches.is_empty()
+    }
 }
 
 /// Channels over frames, evenly spaced in time.
@@ -33,4 +40,11 @@ pub struct Motion {
     pub frame_count: usize,
     /// Frames per second; `None` where the file does not say.
     pub rate_hz: Option<f64>,
+}
+
+impl Motion {
+    /// Returns the file's own number of the last frame.
+    pub fn last_frame(&self) -> i64 {
+        self.first_frame + self.frame_count as i64 - 1
+    }
 }

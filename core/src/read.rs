@@ -1,6 +1,6 @@
 //! From a path or bytes to what the file holds.
 
-use crate::error::{ParseError, ReadError};
+use crate::error::{MisfitError, ParseError, ReadError};
 use crate::formats::amc::Amc;
 use crate::formats::asf::Asf;
 use crate::formats::kind::{recognise, Kind};
@@ -64,6 +64,39 @@ impl Clip {
         let asf = self.asf.as_ref().map(Asf::to_bytes);
         asf.or_else(|| self.amc.as_ref().map(Amc::to_bytes)).unwrap_or_default()
     }
+
+    /// Returns the names of the bones, in file order.
+    pub fn names(&self) -> Vec<String> {
+        match (&self.amc, &self.skeleton) {
+            (Some(amc), _) => amc.bones.iter().map(|bone| bone.name.clone()).collect(),
+            (None, Some(skeleton)) => skeleton.bones.iter().map(|bone| bone.name.clone()).collect(),
+            (None, None) => Vec::new(),
+        }
+    }
+
+    /// Returns how many frames of motion there are.
+    pub fn frame_count(&self) -> usize {
+        self.amc.as_ref().map_or(0, |amc| amc.frame_count)
+    }
+
+    /// Returns the file's own number of the first frame; 1 without motion.
+    pub fn first_frame(&self) -> i64 {
+        self.amc.as_ref().map_or(1, |amc| amc.first_frame)
+    }
+
+    /// Returns the frames per second; `None` where the file does not say.
+    pub fn rate_hz(&self) -> Option<f64> {
+        self.amc.as_ref()?.header.rate_hz
+    }
+
+    /// Returns the motion on a skeleton, with what the user should know.
+    ///
+    /// # Errors
+    /// Where the file has no motion, or one of other bones.
+    pub fn bind(&self, skeleton: &Skeleton) -> Result<(Motion, Vec<String>), MisfitError> {
+        let no_motion = || MisfitError { bones: vec!["the file has no motion".to_owned()] };
+        self.amc.as_ref().ok_or_else(no_motion)?.motion(skeleton)
+    }
 }
 
 /// Reads a file of any known format. `skeleton` is what a motion without a skeleton of its own (AMC) belongs to.
@@ -104,7 +137,7 @@ fn asf_clip(asf: Asf) -> Clip {
     Clip { format: Format::Asf, asf: Some(asf), amc: None, skeleton: Some(skeleton), motion: None, notices }
 }
 
-fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, crate::error::MisfitError> {
+fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> {
     let (motion, notices) = match skeleton.map(|skeleton| amc.motion(skeleton)).transpose()? {
         Some((motion, notices)) => (Some(motion), notices),
         None => (None, amc.notices()),

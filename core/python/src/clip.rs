@@ -1,0 +1,124 @@
+//! `motion_theater.Clip`, `read` and `read_bytes`.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use motion_theater_core::read::{read_bytes as read_from_bytes, read_path, Clip};
+use motion_theater_core::{ReadError, Skeleton};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::errors;
+use crate::motion::PyMotion;
+use crate::skeleton::PySkeleton;
+
+/// What one file holds.
+#[pyclass(name = "Clip", module = "motion_theater", frozen)]
+pub struct PyClip {
+    path: String,
+    names: Vec<String>,
+    clip: Clip,
+    skeleton: Option<Py<PySkeleton>>,
+    motion: Option<Py<PyMotion>>,
+}
+
+/// Read any supported file. Raises `ParseError`, `MisfitError` or `OSError`.
+#[pyfunction]
+#[pyo3(signature = (path, *, skeleton=None))]
+pub fn read(py: Python<'_>, path: PathBuf, skeleton: Option<&PySkeleton>) -> PyResult<PyClip> {
+    PyClip::new(py, &path, skeleton, |skeleton| read_path(&path, skeleton))
+}
+
+/// Read a file that is already in memory; `name` stands for its path in messages and gives its extension.
+#[pyfunction]
+#[pyo3(signature = (data, *, name, skeleton=None))]
+pub fn read_bytes(py: Python<'_>, data: &[u8], name: PathBuf, skeleton: Option<&PySkeleton>) -> PyResult<PyClip> {
+    PyClip::new(py, &name, skeleton, |skeleton| read_from_bytes(data, &name, skeleton))
+}
+
+impl PyClip {
+    fn new(
+        py: Python<'_>,
+        path: &Path,
+        skeleton: Option<&PySkeleton>,
+        read: impl Fn(Option<&Skeleton>) -> Result<Clip, ReadError> + Send + Sync,
+    ) -> PyResult<Self> {
+        let given = skeleton.map(|skeleton| Arc::clone(&skeleton.0));
+        let mut clip = py.detach(|| read(given.as_deref())).map_err(errors::read)?;
+        let names = clip.names();
+        let own = clip.skeleton.take().map(Arc::new);
+        let motion = match (clip.motion.take(), own.as_ref().or(given.as_ref())) {
+            (Some(motion), Some(skeleton)) => Some(Py::new(py, PyMotion::new(motion, Arc::clone(skeleton)))?),
+            _ => None,
+        };
+        let skeleton = own.map(|skeleton| Py::new(py, PySkeleton(skeleton))).transpose()?;
+        Ok(Self { path: path.display().to_string(), names, clip, skeleton, motion })
+    }
+}
+
+#[pymethods]
+impl PyClip {
+    #[getter]
+    fn path(&self) -> &str {
+        &self.path
+    }
+
+    #[getter]
+    fn format(&self) -> &'static str {
+        self.clip.format.extension()
+    }
+
+    #[getter]
+    fn notices(&self) -> Vec<String> {
+        self.clip.notices.clone()
+    }
+
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    #[getter]
+    fn frames(&self) -> usize {
+        self.clip.frame_count()
+    }
+
+    #[getter]
+    fn first_frame(&self) -> i64 {
+        self.clip.first_frame()
+    }
+
+    #[getter]
+    fn rate_hz(&self) -> Option<f64> {
+        self.clip.rate_hz()
+    }
+
+    #[getter]
+    fn skeleton(&self, py: Python<'_>) -> Option<Py<PySkeleton>> {
+        self.skeleton.as_ref().map(|skeleton| skeleton.clone_ref(py))
+    }
+
+    #[getter]
+    fn motion(&self, py: Python<'_>) -> Option<Py<PyMotion>> {
+        self.motion.as_ref().map(|motion| motion.clone_ref(py))
+    }
+
+    #[getter]
+    fn skeleton_hint(&self) -> Option<&str> {
+        self.clip.amc.as_ref()?.header.skeleton_hint.as_deref()
+    }
+
+    fn bind(&self, py: Python<'_>, skeleton: &PySkeleton) -> PyResult<PyMotion> {
+        let given = Arc::clone(&skeleton.0);
+        let (motion, _) = py.detach(|| self.clip.bind(&given)).map_err(|error| errors::misfit(&self.path, error))?;
+        Ok(PyMotion::new(motion, given))
+    }
+
+    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.clip.to_bytes())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Clip '{}': {} bones, {} frames>", self.path, self.names.len(), self.frames())
+    }
+}

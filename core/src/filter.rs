@@ -1,1 +1,0 @@
-//! Median, moving average and weighted average over frames.

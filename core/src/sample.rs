@@ -1,1 +1,0 @@
-//! Values between frames, and other rates.

@@ -1,1 +1,0 @@
-//! Base motion + ordered tracks and filters -> the resulting channels.

@@ -1,0 +1,1 @@
+"""Clips of our own for tests and the demo; `generate` makes them."""

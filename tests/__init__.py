@@ -1,0 +1,1 @@
+"""The tests of Motion Theater; CONTRIBUTING.md says which folder tests what."""

@@ -1,0 +1,1 @@
+"""The packaged extension in an empty Blender."""

@@ -1,0 +1,1 @@
+"""The Python module as its stubs describe it; needs no Blender."""
