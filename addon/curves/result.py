@@ -139,17 +139,17 @@ class Result:
                 after.append(current[:0])
                 continue
             after.append(wanted.coordinates)
-            values_only = has_plain_keys and wanted.is_plain and write.same_frames(wanted, current)
-            if curve is not None and values_only:
+            is_plain = has_plain_keys and wanted.is_plain
+            if curve and write.same_frames(wanted, current) and (is_plain or write.has_form(curve, wanted)):
                 if not np.array_equal(wanted.coordinates, current):
-                    write.write_values(curve, wanted.coordinates)
+                    write.write_values(curve, wanted)
                 continue
             curve = curve or write.new_curve(bag, self._curves, bone, slot)
             write.write_keys(curve, wanted)
             if 2 * len(curve.keyframe_points) != len(wanted.coordinates):
                 after[-1] = read.coordinates(curve)  # keys nearer than Blender tells apart were merged
-        is_plain = all(wanted is None or wanted.is_plain for wanted in row)
-        return digest.joined(digest.values(after), "" if is_plain else digest.shape(read.of_bone(self._curves, bone)))
+        all_plain = all(wanted is None or wanted.is_plain for wanted in row)
+        return digest.joined(digest.values(after), "" if all_plain else digest.shape(read.of_bone(self._curves, bone)))
 
     def detach(self, motion: MotionStack) -> None:
         """Leave the armature with the base after the last entry went.
