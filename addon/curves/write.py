@@ -65,8 +65,10 @@ def new_curve(bag: Bag, curves: read.Index, bone: str, slot: tuple[str, int]) ->
     return curve
 
 
-def has_form(curve: FCurve, wanted: Wanted) -> bool:
-    """Return whether a curve, whose keys are on the wanted frames, differs from what is wanted in values at most."""
+def is_same_but_values(curve: FCurve, wanted: Wanted, current: NDArray[np.float32]) -> bool:
+    """Return whether a curve differs from what is wanted in the values of its keys at most."""
+    if not same_frames(wanted, current):
+        return False
     keys = key_arrays.made(wanted.coordinates, None) if wanted.keys is None else wanted.keys
     kept = _kept(keys, wanted)
     for name, values in keys.items():

@@ -30,7 +30,6 @@ def ask(operator: Operator, context: Context) -> set[str]:
     """Ask for what is not known yet, with the preferred options."""
     preferences.apply(operator, context)
     if operator.properties.is_property_set("filepath"):
-        answer: set[str] = context.window_manager.invoke_props_dialog(operator)
-        return answer
+        return set(context.window_manager.invoke_props_dialog(operator))
     context.window_manager.fileselect_add(operator)
     return {"RUNNING_MODAL"}
