@@ -50,7 +50,7 @@ def bone_count(entry: MotionEntry) -> str:
 def extent(entry: MotionEntry) -> str:
     """Return what the list shows beside the name: the frames of a track, the depth of a filter."""
     if entry.kind == "FILTER":
-        return text("Depth {depth}", depth=entry.depth)
+        return str(entry.depth)
     if entry.kind == "TRACK" and entry.result_end > entry.result_start:
         return f"{frame(entry.result_start)}-{frame(entry.result_end)}"
     return ""
