@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import bpy
 
@@ -169,8 +169,11 @@ def _copy_of_curves(ob: Object, bones: Sequence[str]) -> bpy.types.Action:
 
 
 def _library_count(ob: Object) -> int:
-    """Return how many entries an override has from its library: they can be edited and muted, but must stay in place."""
-    return len(of(ob.override_library.reference).entries) if ob.override_library is not None else 0
+    """Return how many entries an override has from its library: they can be edited and muted, but stay in place."""
+    if ob.override_library is None:
+        return 0
+    linked: Any = ob.override_library.reference
+    return len(of(linked).entries)
 
 
 def _refuse_library_entries(ob: Object, index: int) -> None:
