@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from ..properties import MotionEntry
 
 # Mean width of a character of Blender's interface font, and what icon and margins take, in points.
-CHARACTER_WIDTH = 6.2
-MARGIN = 64
+CHARACTER_WIDTH = 6.4
+MARGIN = 76
 
 
 def sentence(layout: UILayout, context: Context, message: str, *, icon: str = "BLANK1", alert: bool = False) -> None:

@@ -140,6 +140,7 @@ def test_a_missing_source_is_said_with_a_way_to_find_it(tmp_path: Path) -> None:
     assert "motion_theater.relink_source" in layout.names("operator")
     assert any(shown.alert and shown.text for shown in layout.shown)
     assert "ERROR" in {shown.icon for shown in draw_list_row(0).shown}
+    assert "INFO" not in {shown.icon for shown in draw(stack_panel.MOTION_THEATER_PT_stack, bpy.context).shown}
     draw_all()
 
 
