@@ -146,12 +146,17 @@ fn a_deep_hierarchy_is_read_without_recursion() {
 }
 
 #[test]
-fn many_bones_on_one_parent_are_read() {
+fn many_bones_on_one_parent_are_read_and_moved() {
     let names: Vec<_> = (0..50_000).map(|i| format!("b{i}")).collect();
-    let bones: String =
-        names.iter().rev().map(|n| format!("begin\nname {n}\ndirection 0 1 0\nlength 1\nend\n")).collect();
-    let star = format!(":bonedata\n{bones}:hierarchy\nroot {}\n", names.join(" "));
-    assert_eq!(use_fully(star.as_bytes(), "star.asf"), Ok(()));
+    let (mut bones, mut frame) = (String::new(), String::new());
+    for name in names.iter().rev() {
+        write!(bones, "begin\nname {name}\ndirection 0 1 0\nlength 1\ndof rx\nend\n").unwrap();
+        write!(frame, "{name} 5 0 0\n").unwrap();
+    }
+    let skeleton = Asf::parse(format!(":bonedata\n{bones}:hierarchy\nroot {}\n", names.join(" ")).as_bytes());
+    let amc = Amc::parse(format!(":FORCE-ALL-JOINTS-BE-3DOF\n:DEGREES\n1\n{frame}").as_bytes()).unwrap();
+    let (motion, _) = amc.motion(&skeleton.unwrap().skeleton()).unwrap();
+    assert!(motion.bones[1..].iter().all(|bone| bone.angles == [[5.0_f64.to_radians(), 0.0, 0.0]]));
 }
 
 #[test]

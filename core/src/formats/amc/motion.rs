@@ -79,10 +79,15 @@ impl Amc {
         }
     }
 
+    /// Returns the values frame by frame.
+    fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
+        let width = self.values.len() / self.frame_count.max(1);
+        self.values.chunks_exact(width.max(1))
+    }
+
     /// Returns whether these columns are zero in every frame.
     fn is_zero(&self, columns: std::ops::Range<usize>) -> bool {
-        let mut frames = self.values.chunks_exact(self.width().max(1));
-        frames.all(|row| row.get(columns.clone()).is_some_and(|values| values.iter().all(|value| *value == 0.0)))
+        self.rows().all(|row| row.get(columns.clone()).is_some_and(|values| values.iter().all(|value| *value == 0.0)))
     }
 
     fn bone_motion(&self, bone: &Bone, columns: &Columns) -> BoneMotion {
@@ -100,7 +105,7 @@ impl Amc {
             stretches: Vec::with_capacity(room(stretches)),
         };
         let mut previous = DQuat::IDENTITY;
-        for row in self.values.chunks_exact(self.width().max(1)) {
+        for row in self.rows() {
             let values = row.get(columns.first..).unwrap_or_default();
             let (mut angles, mut translation, mut stretch) = ([0.0; 3], [0.0; 3], 0.0);
             for (dof, value) in columns.dofs.iter().zip(values) {
