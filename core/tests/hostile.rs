@@ -150,8 +150,8 @@ fn many_bones_on_one_parent_are_read_and_moved() {
     let names: Vec<_> = (0..50_000).map(|i| format!("b{i}")).collect();
     let (mut bones, mut frame) = (String::new(), String::new());
     for name in names.iter().rev() {
-        write!(bones, "begin\nname {name}\ndirection 0 1 0\nlength 1\ndof rx\nend\n").unwrap();
-        write!(frame, "{name} 5 0 0\n").unwrap();
+        writeln!(bones, "begin\nname {name}\ndirection 0 1 0\nlength 1\ndof rx\nend").unwrap();
+        writeln!(frame, "{name} 5 0 0").unwrap();
     }
     let skeleton = Asf::parse(format!(":bonedata\n{bones}:hierarchy\nroot {}\n", names.join(" ")).as_bytes());
     let amc = Amc::parse(format!(":FORCE-ALL-JOINTS-BE-3DOF\n:DEGREES\n1\n{frame}").as_bytes()).unwrap();
