@@ -90,12 +90,11 @@ class MOTION_THEATER_PT_stack(bpy.types.Panel):
             words.sentence(layout.box(), context, reason, icon="LOCKED")
         if motion.hand_edited:
             _draw_hand_edits(layout, context, motion)
-        if not motion.entries:
-            words.sentence(
-                layout, context, text("Select bones in Pose Mode, then add a motion track below"), icon="INFO"
-            )
-        elif motion.message and not motion.hand_edited:
+        if motion.message and not motion.hand_edited:
             words.sentence(layout, context, motion.message, icon="INFO")
+        if not motion.entries:
+            hint = text("Select bones in Pose Mode, then add a motion track below")
+            words.sentence(layout, context, hint, icon="INFO")
 
 
 def _draw_first_step(layout: UILayout, context: Context) -> None:
