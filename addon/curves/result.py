@@ -34,7 +34,7 @@ class Result:
         self._curves = read.index(compat.bag_of(ob, self.assigned))
         self._now: dict[str, Coordinates] = {}
 
-    def read(self, bones: Iterable[str]) -> None:
+    def prefetch(self, bones: Iterable[str]) -> None:
         """Read the keys of these bones, and keep them for what follows."""
         for bone in bones:
             self._read(bone)
@@ -74,7 +74,7 @@ class Result:
             for wanted, current in zip(row, now, strict=True)
         )
 
-    def write(
+    def update(
         self, wanted: Mapping[str, Sequence[write.Wanted | None]], touched: set[str], motion: MotionStack
     ) -> list[str]:
         """Write what differs, into a result action that is this armature's own; return bones left out as locked."""
@@ -208,7 +208,7 @@ def _restore_unkeyed(bone: PoseBone, changes: Iterable[tuple[str, bool, bool]], 
 
 
 def _is_result(action: Action | None) -> bool:
-    return action is not None and record.KEY in action
+    return action is not None and action.get(record.KEY) is not None
 
 
 def _is_locked(curve: FCurve | None) -> bool:

@@ -16,6 +16,7 @@ from ..logic.keys import LINEAR
 from . import read
 
 if TYPE_CHECKING:
+    import bpy
     from bpy.types import FCurve
     from numpy.typing import NDArray
 
@@ -102,6 +103,6 @@ def remove_curve(bag: Bag, curves: read.Index, slot: tuple[str, int]) -> None:
     curve = curves.pop(slot)
     group_name = curve.group.name if curve.group is not None else ""
     bag.fcurves.remove(curve)
-    group = bag.groups.get(group_name)
+    group: bpy.types.ActionGroup | None = bag.groups.get(group_name)
     if group is not None and not len(group.channels):
         bag.groups.remove(group)

@@ -55,10 +55,7 @@ def test_appending(tmp_path: Path) -> None:
     path = str(tmp_path / "library.blend")
     bpy.data.libraries.write(path, {ob})
     harness.empty_file()
-    with bpy.data.libraries.load(path) as (_, into):
-        into.objects = ["human"]
-    appended = into.objects[0]
-    bpy.context.scene.collection.objects.link(appended)
+    appended = harness.load_human(path, link=False)
     assert harness.same_keys(before, harness.keys(appended))
     assert edited_and_back(appended)
 
@@ -69,10 +66,7 @@ def test_linking_with_an_override(tmp_path: Path) -> None:
     path = str(tmp_path / "library.blend")
     bpy.data.libraries.write(path, {ob})
     harness.empty_file()
-    with bpy.data.libraries.load(path, link=True) as (_, into):
-        into.objects = ["human"]
-    linked = into.objects[0]
-    bpy.context.scene.collection.objects.link(linked)
+    linked = harness.load_human(path, link=True)
     own = linked.override_create(remap_local_usages=True)
     own.override_library.is_system_override = False
     assert harness.same_keys(before, harness.keys(own))
