@@ -45,7 +45,7 @@ class MotionTheaterPreferences(bpy.types.AddonPreferences):
 
 def get(context: Context) -> MotionTheaterPreferences | None:
     """Return the preferences; None where the add-on was registered by a script that did not enable it."""
-    addon = context.preferences.addons.get(__package__)
+    addon: bpy.types.Addon | None = context.preferences.addons.get(__package__)
     return addon.preferences if addon else None
 
 
