@@ -43,6 +43,7 @@ impl Format {
 
 /// What one file holds. What a format does not have is `None`.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Clip {
     /// What kind of file it is.
     pub format: Format,

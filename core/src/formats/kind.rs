@@ -63,7 +63,7 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
     if let Some((_, words)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
         return Some(Kind::Foreign(words));
     }
-    if head.contains(&0) {
+    if source.contains(&0) {
         if matches!(head, [block, 0x50, ..] if *block < b' ') {
             return Some(Kind::Foreign("a C3D marker file (.c3d)"));
         }
@@ -72,10 +72,6 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
         } else {
             "binary data"
         }));
-    }
-    let control_count = head.iter().filter(|byte| **byte < b' ' && !byte.is_ascii_whitespace()).count();
-    if control_count > head.len() / 16 {
-        return Some(Kind::Foreign("binary data"));
     }
     recognise_acclaim(head)
 }
