@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import bpy
 from bpy.props import EnumProperty
@@ -45,7 +45,7 @@ class MotionTheaterPreferences(bpy.types.AddonPreferences):
 
 def get(context: Context) -> MotionTheaterPreferences | None:
     """Return the preferences; None where the add-on was registered by a script that did not enable it."""
-    addon: bpy.types.Addon | None = context.preferences.addons.get(__package__)
+    addon: Any = context.preferences.addons.get(__package__)
     return addon.preferences if addon else None
 
 
