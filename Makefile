@@ -37,8 +37,10 @@ test: test-rust test-python test-blender test-install fuzz-smoke ## Run every te
 test-rust: ## Test the core
 	$(LIMIT) cargo test --locked --package motion-theater-core
 
+# Folders of tests that need no Blender.
+PURE := tests/native tests/logic tests/testdata tests/demo tests/docs
 test-python: build/venv/tools/.module ## Test the Python module and all logic that needs no Blender
-	$(LIMIT) $(TOOLS)/python -m pytest tests/native tests/logic tests/testdata
+	$(LIMIT) $(TOOLS)/python -m pytest $(wildcard $(PURE))
 
 test-blender: $(BLENDERS:%=test-blender-%) ## Test the add-on in every Blender; in one: test-blender-4.2, -4.5, -5.0
 

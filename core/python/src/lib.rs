@@ -2,6 +2,9 @@
 //!
 //! Its documentation is the stub file `motion_theater.pyi`.
 
+// PyO3 hands extracted arguments over by value.
+#![allow(clippy::needless_pass_by_value)]
+
 use pyo3::prelude::*;
 
 mod arrays;

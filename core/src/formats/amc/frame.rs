@@ -43,7 +43,8 @@ impl FrameLayout {
                 let (value, length) = read_prefix(rest)?;
                 rest = rest.get(length..)?;
                 // Also refuses what is not finite, and a number that is the start of a longer word.
-                if !(value.abs() <= LARGEST) || !rest.first().is_none_or(|next| next.is_ascii_whitespace()) {
+                let is_usable = value.abs() <= LARGEST;
+                if !is_usable || !rest.first().is_none_or(u8::is_ascii_whitespace) {
                     return None;
                 }
                 values.push(value);

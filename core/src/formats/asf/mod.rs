@@ -17,12 +17,16 @@
 //! A file that ends early is refused, unless all that is lost comes after the last word.
 
 mod bone;
+mod build;
 mod hierarchy;
 mod read;
 mod skeleton;
+#[cfg(test)]
+mod tests;
 mod unit;
 mod write;
 
+pub(crate) use build::file_names;
 pub(crate) use skeleton::rotation_order;
 
 use super::AngleUnit;
