@@ -55,9 +55,12 @@ impl Faults {
         let mut sentences = Vec::new();
         match self.frames {
             Some((Some(declared), found)) => {
-                sentences.push(format!("The file says that it has {declared} frames, but it holds {found}: these are used"));
+                sentences
+                    .push(format!("The file says that it has {declared} frames, but it holds {found}: these are used"));
             }
-            Some((None, found)) => sentences.push(format!("The file does not say how many frames it has: it holds {found}")),
+            Some((None, found)) => {
+                sentences.push(format!("The file does not say how many frames it has: it holds {found}"));
+            }
             None => {}
         }
         sentences.extend(self.short.sentence(width, "the frame before it is shown instead"));

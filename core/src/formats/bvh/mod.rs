@@ -124,11 +124,8 @@ impl Bvh {
             let rows = rows::read(source, tokens.at(), &bvh)?;
             bvh.faults = rows.faults;
             bvh.faults.set_declared(head.frame_count, rows.frame_count);
-            bvh.motion = Some(BvhMotion {
-                frame_time_s: head.frame_time_s,
-                frame_count: rows.frame_count,
-                values: rows.values,
-            });
+            bvh.motion =
+                Some(BvhMotion { frame_time_s: head.frame_time_s, frame_count: rows.frame_count, values: rows.values });
         }
         Ok(bvh)
     }
