@@ -57,7 +57,7 @@ impl Bvh {
         }
         let frame_time_s = motion.rate_hz.map(|rate| 1.0 / rate);
         let motion = BvhMotion { frame_time_s, frame_count: motion.frame_count, values };
-        Self { joints, motion: Some(motion), ..Self::default() }
+        Self::new(joints, Some(motion))
     }
 }
 

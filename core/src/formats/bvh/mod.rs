@@ -19,6 +19,8 @@ mod motion;
 mod name;
 mod rows;
 mod skeleton;
+#[cfg(test)]
+mod tests;
 mod tokens;
 mod write;
 
@@ -109,6 +111,11 @@ impl Channel {
 }
 
 impl Bvh {
+    /// Makes what a file would say: joints as they are nested, and rows of as many values as these have channels.
+    pub fn new(joints: Vec<Joint>, motion: Option<BvhMotion>) -> Self {
+        Self { joints, motion, faults: Faults::default() }
+    }
+
     /// Reads what a file says.
     ///
     /// # Errors

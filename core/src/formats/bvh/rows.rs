@@ -160,7 +160,7 @@ impl fmt::Display for ValueAt<'_> {
         let mut columns = joints.flat_map(|joint| joint.channels.iter().map(move |channel| (joint, channel)));
         match self.column.checked_rem(self.bvh.width()).and_then(|column| columns.nth(column)) {
             Some((joint, channel)) => write!(f, "a number for `{}` of joint `{}`", channel.word(), joint.name),
-            None => f.write_str("the end of the file, for no joint has a channel"),
+            None => f.write_str("a number"),
         }
     }
 }
