@@ -81,7 +81,7 @@ fn what_is_no_motion_capture_is_called_by_its_name() {
         ("a.asf", &utf_16[2..], "an Acclaim skeleton (.asf)", "UTF-16 text; save it as UTF-8"),
         ("a.amc", &utf_16[3..], "an Acclaim motion (.amc)", "UTF-16 text; save it as UTF-8"),
         ("a.amc", b"<!DOCTYPE html><html>", "an Acclaim motion (.amc)", "a web page (HTML)"),
-        ("a.amc", b"HIERARCHY\nROOT Hips", "an Acclaim motion (.amc)", "a BVH motion (.bvh)"),
+        ("a.bvh", &noise, "a BVH motion (.bvh)", "binary data"),
         ("a.amc", b"\x02\x50\x29\x00", "an Acclaim motion (.amc)", "a C3D marker file (.c3d)"),
         (
             "a.asf",
