@@ -10,6 +10,8 @@
 //! | [`sample`] | values between frames, other rates |
 //! | [`combine`] | cut, scale, blend and align one track over what was there |
 //! | [`filter`] | median, moving average, weighted average |
+//! | [`recipe`] | a stack as a small TOML or JSON file |
+//! | [`skeleton_search`] | which skeleton file belongs to a motion file |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
 pub mod combine;
@@ -23,9 +25,11 @@ pub mod number;
 pub mod pose;
 pub mod rate;
 pub mod read;
+pub mod recipe;
 pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
+pub mod skeleton_search;
 pub mod stack;
 mod text;
 pub mod value;
