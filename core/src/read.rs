@@ -3,6 +3,7 @@
 use crate::error::{MisfitError, ParseError, ReadError};
 use crate::formats::amc::Amc;
 use crate::formats::asf::Asf;
+use crate::formats::bvh::Bvh;
 use crate::formats::kind::{recognise, Kind};
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
@@ -16,10 +17,12 @@ pub enum Format {
     Asf,
     /// Acclaim motion.
     Amc,
+    /// Biovision hierarchy, with or without motion.
+    Bvh,
 }
 
 /// Every format with its extension, in lower case.
-const FORMATS: [(Format, &str); 2] = [(Format::Asf, "asf"), (Format::Amc, "amc")];
+const FORMATS: [(Format, &str); 3] = [(Format::Asf, "asf"), (Format::Amc, "amc"), (Format::Bvh, "bvh")];
 
 impl Format {
     /// Returns the format's extension in lower case, without a dot.
@@ -36,6 +39,7 @@ impl Format {
         match recognise(source) {
             Some(Kind::Asf) => Some(Self::Asf),
             Some(Kind::Amc) => Some(Self::Amc),
+            Some(Kind::Bvh) => Some(Self::Bvh),
             Some(Kind::Foreign(_)) | None => by_extension(),
         }
     }
@@ -50,6 +54,8 @@ pub struct Clip {
     pub asf: Option<Asf>,
     /// What the file says, where it is an Acclaim motion.
     pub amc: Option<Amc>,
+    /// What the file says, where it is a BVH.
+    pub bvh: Option<Bvh>,
     /// The file's own skeleton.
     pub skeleton: Option<Skeleton>,
     /// The file's motion, on its own skeleton or the one that was given; an AMC has none without.
@@ -62,7 +68,9 @@ impl Clip {
     /// Returns the file anew: the same values, names and order.
     pub fn to_bytes(&self) -> Vec<u8> {
         let asf = self.asf.as_ref().map(Asf::to_bytes);
-        asf.or_else(|| self.amc.as_ref().map(Amc::to_bytes)).unwrap_or_default()
+        let amc = || self.amc.as_ref().map(Amc::to_bytes);
+        let bvh = || self.bvh.as_ref().map(Bvh::to_bytes);
+        asf.or_else(amc).or_else(bvh).unwrap_or_default()
     }
 
     /// Returns the names of the bones, in file order.
@@ -76,7 +84,8 @@ impl Clip {
 
     /// Returns how many frames of motion there are.
     pub fn frame_count(&self) -> usize {
-        self.amc.as_ref().map_or(0, |amc| amc.frame_count)
+        let of_bvh = || self.bvh.as_ref()?.motion.as_ref().map(|motion| motion.frame_count);
+        self.amc.as_ref().map(|amc| amc.frame_count).or_else(of_bvh).unwrap_or(0)
     }
 
     /// Returns the file's own number of the first frame; 1 without motion.
@@ -86,15 +95,19 @@ impl Clip {
 
     /// Returns the frames per second; `None` where the file does not say.
     pub fn rate_hz(&self) -> Option<f64> {
-        self.amc.as_ref()?.header.rate_hz
+        match (&self.amc, &self.bvh) {
+            (Some(amc), _) => amc.header.rate_hz,
+            (None, bvh) => bvh.as_ref()?.motion.as_ref()?.rate_hz(),
+        }
     }
 
-    /// Returns the motion on a skeleton, with what the user should know.
+    /// Returns the motion of an AMC on a skeleton, with what the user should know.
     ///
     /// # Errors
-    /// Where the file has no motion, or one of other bones.
+    /// Where the file has no motion, one of other bones, or one with a skeleton of its own.
     pub fn bind(&self, skeleton: &Skeleton) -> Result<(Motion, Vec<String>), MisfitError> {
-        let no_motion = || MisfitError { bones: vec!["the file has no motion".to_owned()] };
+        let why = if self.bvh.is_some() { "the file has a skeleton of its own" } else { "the file has no motion" };
+        let no_motion = || MisfitError { bones: vec![why.to_owned()] };
         self.amc.as_ref().ok_or_else(no_motion)?.motion(skeleton)
     }
 }
@@ -123,6 +136,7 @@ pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Re
             let amc = Amc::parse(source).map_err(wrong)?;
             amc_clip(amc, skeleton).map_err(|error| ReadError::Misfit { path: PathBuf::from(name), error })
         }
+        Some(Format::Bvh) => Ok(bvh_clip(Bvh::parse(source).map_err(wrong)?)),
         None => Err(wrong(unknown(source))),
     }
 }
@@ -134,7 +148,7 @@ fn asf_clip(asf: Asf) -> Clip {
     if skeleton.up != glam::DVec3::Y {
         notices.push("Z is taken as up, for the rest pose is far longer along Z than along Y".to_owned());
     }
-    Clip { format: Format::Asf, asf: Some(asf), amc: None, skeleton: Some(skeleton), motion: None, notices }
+    Clip { format: Format::Asf, asf: Some(asf), amc: None, bvh: None, skeleton: Some(skeleton), motion: None, notices }
 }
 
 fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> {
@@ -142,11 +156,21 @@ fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> 
         Some((motion, notices)) => (Some(motion), notices),
         None => (None, amc.notices()),
     };
-    Ok(Clip { format: Format::Amc, asf: None, amc: Some(amc), skeleton: None, motion, notices })
+    Ok(Clip { format: Format::Amc, asf: None, amc: Some(amc), bvh: None, skeleton: None, motion, notices })
+}
+
+fn bvh_clip(bvh: Bvh) -> Clip {
+    let (skeleton, motion) = bvh.skeleton_and_motion();
+    let mut notices = bvh.notices();
+    notices.push(format!("Length unit: {}", skeleton.unit.reason));
+    if skeleton.up != glam::DVec3::Y {
+        notices.push("Up axis: the figure does not stand along Y".to_owned());
+    }
+    Clip { format: Format::Bvh, asf: None, amc: None, bvh: Some(bvh), skeleton: Some(skeleton), motion, notices }
 }
 
 fn unknown(source: &[u8]) -> ParseError {
-    let expected = "an Acclaim skeleton (.asf) or an Acclaim motion (.amc)";
+    let expected = "an Acclaim skeleton (.asf), an Acclaim motion (.amc) or a BVH motion (.bvh)";
     let found = match recognise(source) {
         _ if source.is_empty() => "an empty file".to_owned(),
         Some(kind) => kind.to_string(),

@@ -1,10 +1,11 @@
 //! One file or folder per format, named after it.
 //!
-//! Each goes in three steps: bytes -> what the file says ([`asf::Asf`], [`amc::Amc`]: its own units, order and names)
+//! Each goes in three steps: bytes -> what the file says ([`asf::Asf`], [`amc::Amc`], [`bvh::Bvh`]: its own units, order and names)
 //! -> our [`Skeleton`](crate::Skeleton) and [`Motion`](crate::Motion). Writers go the same way back.
 
 pub mod amc;
 pub mod asf;
+pub mod bvh;
 pub(crate) mod kind;
 
 /// The unit in which an Acclaim file gives angles.

@@ -1,0 +1,74 @@
+//! How long a file's unit is: what makes the figure a person.
+
+use super::body::Body;
+use super::Answer;
+use std::ops::RangeInclusive;
+
+/// Heights that can be a person's, in metres.
+const PERSON_M: RangeInclusive<f64> = 1.0..=2.2;
+
+/// Heights that grown people have and children may have: only these make an answer certain.
+const USUAL_PERSON_M: RangeInclusive<f64> = 1.35..=2.05;
+
+/// What a figure is scaled to where no unit makes it a person.
+const TYPICAL_PERSON_M: f64 = 1.7;
+
+/// A way to understand a file's lengths.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Reading {
+    /// Metres per file unit.
+    pub(crate) metres: f64,
+    /// The unit's name in words.
+    pub(crate) name: String,
+}
+
+impl Reading {
+    /// Makes a reading.
+    pub(crate) fn new(metres: f64, name: impl Into<String>) -> Self {
+        Self { metres, name: name.into() }
+    }
+
+    /// Returns the first reading in which `height` is a person's, and the next one that differs from it.
+    pub(crate) fn plausible(readings: &[Self], height: f64) -> Option<(&Self, Option<&Self>)> {
+        let mut plausible = readings.iter().filter(|reading| PERSON_M.contains(&(height * reading.metres)));
+        let first = plausible.next()?;
+        // Centimetres / 0.01 and metres are the same: only readings that differ make a choice doubtful.
+        Some((first, plausible.find(|other| (other.metres / first.metres - 1.0).abs() > 1e-9)))
+    }
+}
+
+/// Units in which files are, likely ones first. `true` for those that are common enough to be certain of.
+const UNITS: [(f64, &str, bool); 7] = [
+    (0.01, "centimetres", true),
+    (1.0, "metres", true),
+    (0.0254, "inches", true),
+    (0.0254 / 0.45, "inches / 0.45, as in the public Acclaim data sets", true),
+    (0.001, "millimetres", true),
+    (0.1, "decimetres", false),
+    (0.3048, "feet", false),
+];
+
+/// Works out the unit from the lengths of a body's bones.
+pub(super) fn unit(body: Option<&Body>) -> Answer<f64> {
+    let Some(body) = body.filter(|body| body.is_person()) else {
+        let reason = "centimetres, as in most files: the joints are not a person's, or their names do not say so";
+        return Answer::unsure(0.01, reason);
+    };
+    let height = body.stature();
+    let readings = UNITS.map(|(metres, name, _)| Reading::new(metres, name));
+    let Some((reading, other)) = Reading::plausible(&readings, height) else {
+        let reason = format!("no usual unit makes the figure a person: scaled to {TYPICAL_PERSON_M:.2} m");
+        return Answer::unsure(TYPICAL_PERSON_M / height, reason);
+    };
+    let metres = reading.metres;
+    let reason = format!("{}: by its bones the figure is about {:.2} m tall", reading.name, height * metres);
+    if let Some(other) = other {
+        return Answer::unsure(metres, format!("{reason}; {} would be plausible too", other.name));
+    }
+    let is_common = UNITS.iter().any(|(known, _, is_common)| *known == metres && *is_common);
+    if is_common && USUAL_PERSON_M.contains(&(height * metres)) {
+        Answer::certain(metres, reason)
+    } else {
+        Answer::unsure(metres, reason)
+    }
+}
