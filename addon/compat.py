@@ -50,7 +50,7 @@ def ensure_bag(datablock: ID, action: Action) -> Bag:
 
 
 def _fitting_slot(datablock: ID, action: Action) -> bpy.types.ActionSlot | None:
-    """Return the slot that is assigned, else the one Blender itself would take: of the same name, else an unused one."""
+    """Return the slot that is assigned, else what Blender itself would take: one of the same name, or an unused one."""
     animation = datablock.animation_data
     if animation and animation.action == action and animation.action_slot is not None:
         return animation.action_slot

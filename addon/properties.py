@@ -3,9 +3,6 @@
 The names of these properties are read by scripts and by saved files: they change only together with a migration.
 """
 
-# mypy: disable-error-code="valid-type"
-# Blender reads the annotations as property definitions, which are no types to a checker.
-
 from __future__ import annotations
 
 import bpy

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -135,7 +135,7 @@ def _native_step(
 ) -> tuple[motion_theater.Track | motion_theater.Filter, sources.Loaded | None]:
     """Return one entry as the native module takes it, and the clip of a track."""
     entry = motion.entries[step.entry]
-    options = dict(as_plan_entry(entry).options)
+    options: dict[str, Any] = dict(as_plan_entry(entry).options)
     try:
         if entry.kind == "FILTER":
             plan.check_depth(entry.depth)
@@ -213,7 +213,7 @@ def _tell(
     for number, entry in enumerate(motion.entries):
         entry.notices = names.join(dict.fromkeys(by_entry.get(number, ())))
         entry.error = ""
-    for step, loaded in zip(the_plan.steps, clips):
+    for step, loaded in zip(the_plan.steps, clips, strict=True):
         if loaded is not None:
             entry = motion.entries[step.entry]
             entry.clip_frames, entry.clip_first = loaded.clip.frames, loaded.clip.first_frame

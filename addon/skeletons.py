@@ -42,8 +42,8 @@ def import_skeleton(
     )
     motion = stack.of(ob)
     with stack.quietly():
-        motion.skeleton_source = path
-        motion.skeleton_text = sources.text_of(loaded.clip)
+        motion.skeleton_source = sources.full_path(path)
+        motion.skeleton_text = sources.text_of(loaded)
         motion.unit_m = unit
         motion.up = chosen_up
         motion.bone_style = bone_style

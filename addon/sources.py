@@ -19,7 +19,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import bpy
-import numpy as np
 
 import motion_theater
 
@@ -67,6 +66,7 @@ class Loaded:
 
 _clips: Cache[Loaded] = Cache(64)
 _skeletons: Cache[motion_theater.Skeleton] = Cache(32)
+_bound: Cache[motion_theater.Motion] = Cache(16)
 _motions: Cache[motion_theater.Motion] = Cache(64)
 _existence: dict[str, tuple[float, bool]] = {}
 
@@ -74,7 +74,7 @@ _existence: dict[str, tuple[float, bool]] = {}
 def read_file(path: str) -> Loaded:
     """Return a motion or skeleton file, read anew only if it changed on disk."""
     try:
-        status = os.stat(path)
+        status = Path(path).stat()
         key = (path, status.st_mtime_ns, status.st_size)
         return _clips.get(key) or _clips.keep(key, Loaded(motion_theater.read(path), key))
     except OSError as error:
@@ -92,17 +92,16 @@ def skeleton_from_text(text: str) -> motion_theater.Skeleton:
     if known is not None:
         return known
     try:
-        skeleton = motion_theater.read_bytes(text.encode("latin-1"), name="skeleton.asf").skeleton
+        clip = motion_theater.read_bytes(text.encode("latin-1"), name="skeleton.asf")
     except (motion_theater.MotionTheaterError, UnicodeEncodeError) as error:
         raise UserError(f"The skeleton stored with the armature cannot be read: {error}") from error
-    if skeleton is None:
-        raise UserError("The skeleton stored with the armature is none")
-    return _skeletons.keep(key, skeleton)
+    return _skeletons.keep(key, as_skeleton(Loaded(clip, key)))
 
 
-def text_of(clip: motion_theater.Clip) -> str:
+def text_of(loaded: Loaded) -> str:
     """Return a skeleton file as text that `skeleton_from_text` reads, byte for byte."""
-    return clip.to_bytes().decode("latin-1")
+    as_skeleton(loaded)
+    return loaded.clip.to_bytes().decode("latin-1")
 
 
 def load(ob: Object, entry: MotionEntry) -> Loaded:
@@ -118,6 +117,11 @@ def absolute(ob: Object, path: str) -> str:
     """Return a stored path as the system knows it; `//` is relative to the .blend file that the armature lies in."""
     library = ob.library or (ob.override_library.reference.library if ob.override_library else None)
     return os.path.normpath(bpy.path.abspath(path, library=library)) if path else ""
+
+
+def full_path(path: str) -> str:
+    """Return a path that still holds in another folder; links in it stay as they are."""
+    return str(Path(path).absolute())
 
 
 def _load_packed(motion: MotionStack, key: str) -> Loaded:
@@ -146,12 +150,14 @@ def skeleton_of(ob: Object, entry: MotionEntry) -> tuple[motion_theater.Skeleton
     return skeleton_from_text(text), text
 
 
-def bind(loaded: Loaded, skeleton: motion_theater.Skeleton) -> motion_theater.Motion:
-    """Return the motion of a file on its skeleton."""
-    if loaded.clip.motion is None and not loaded.clip.frames:
-        raise UserError(f"{base_name(loaded.clip.path)} holds no motion: it is a skeleton file")
+def bind(loaded: Loaded, skeleton_text: str) -> motion_theater.Motion:
+    """Return the motion of a file on the skeleton that a text holds."""
+    key = (loaded.key, skeleton_text)
+    known = _bound.get(key)
+    if known is not None:
+        return known
     try:
-        return loaded.clip.bind(skeleton)
+        return _bound.keep(key, loaded.clip.bind(skeleton_from_text(skeleton_text)))
     except motion_theater.MotionTheaterError as error:
         raise UserError(str(error)) from error
 
@@ -182,7 +188,7 @@ def rest_motion(ob: Object, entry: MotionEntry, rest: rig.Rest) -> tuple[motion_
     known = _motions.get(key)
     if known is None:
         file_name = {bone: name for name, bone in matched.items()}
-        known = bind(loaded, skeleton).in_rest_axes(
+        known = bind(loaded, text).in_rest_axes(
             [file_name.get(bone) for bone in rest.names],
             rig.axes_from_file(rest, motion.up),
             scale,
@@ -208,7 +214,7 @@ def file_scale(
         return rig.scale_from_rest(rest, skeleton, matched)
     if entry.skeleton_text and motion.skeleton_text:
         return motion.unit_m * skeleton.unit_m / skeleton_from_text(motion.skeleton_text).unit_m
-    return float(np.float64(motion.unit_m))
+    return motion.unit_m
 
 
 def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
@@ -222,7 +228,7 @@ def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
     for candidate in candidates:
         try:
             skeleton = read_file(candidate.path)
-            bind(loaded, as_skeleton(skeleton))
+            bind(loaded, text_of(skeleton))
         except UserError as error:
             refused.append(str(error))
             continue
@@ -257,7 +263,7 @@ def is_missing(ob: Object, entry: MotionEntry) -> bool:
     path = absolute(ob, entry.source)
     checked, missing = _existence.get(path, (-MISSING_CHECK_S, False))
     if time.monotonic() - checked >= MISSING_CHECK_S:
-        missing = not os.path.isfile(path)
+        missing = not Path(path).is_file()
         _existence[path] = (time.monotonic(), missing)
     return missing
 
@@ -286,7 +292,7 @@ def pack(ob: Object, entry: MotionEntry) -> None:
 
 
 def unpack(ob: Object, entry: MotionEntry, path: str) -> None:
-    """Write the packed file of a track to disk and use it from there. Another file in that place is never overwritten."""
+    """Write the packed file of a track to disk and use it from there; never over another file in that place."""
     motion = ob.motion_theater
     item = motion.packed.get(entry.packed_key)
     if item is None:
@@ -316,7 +322,7 @@ def relink(ob: Object, entry: MotionEntry, path: str) -> None:
 
     before = (entry.source, entry.packed_key)
     with stack.quietly():
-        entry.source, entry.packed_key = os.path.abspath(path), ""
+        entry.source, entry.packed_key = full_path(path), ""
     _existence.clear()
     try:
         stack.rebuild(ob)

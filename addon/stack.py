@@ -16,14 +16,13 @@ from . import rebuild as rebuilding
 from .curves import read
 from .curves.result import Result
 from .logic import names
-from .logic.messages import UserError, sentences
+from .logic.messages import UserError, explained, sentences
 
 if TYPE_CHECKING:
     from bpy.types import Context, Object, PropertyGroup
 
     from .properties import MotionEntry, MotionStack
 
-_NOT_COPIED = {"rna_type"}
 _quiet_depth = 0
 
 
@@ -66,8 +65,11 @@ def on_edit(properties: PropertyGroup, context: Context) -> None:
         return
     try:
         of(ob).message = sentences(rebuild(ob))
-    except UserError as error:
-        of(ob).message = str(error)
+    except BaseException as error:
+        text = explained(error)
+        if text is None:
+            raise
+        of(ob).message = text
 
 
 def add_entry(ob: Object, kind: str, **settings: object) -> MotionEntry:
@@ -173,9 +175,9 @@ def _take_base(ob: Object) -> None:
 
 def _settings(entry: MotionEntry) -> dict[str, object]:
     return {
-        name: getattr(entry, name)
-        for name in entry.bl_rna.properties.keys()
-        if name not in _NOT_COPIED and not entry.bl_rna.properties[name].is_readonly
+        definition.identifier: getattr(entry, definition.identifier)
+        for definition in entry.bl_rna.properties
+        if not definition.is_readonly
     }
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePath
@@ -70,7 +69,7 @@ def add_track(context: Context, ob: Object | None, request: Request) -> str:
         ob,
         "TRACK",
         name=PurePath(base_name(request.path)).stem,
-        source=os.path.abspath(request.path),
+        source=sources.full_path(request.path),
         skeleton_text=skeleton_text,
         all_bones=bones is None,
         bones=names.join(bones or ()),
@@ -126,7 +125,7 @@ def _armature_for(
 def _skeleton_file(loaded: sources.Loaded, request: Request) -> tuple[str, str]:
     """Return the skeleton file of a motion, and why it was taken; no reason where the user named it."""
     if request.skeleton:
-        sources.bind(loaded, sources.as_skeleton(sources.read_file(request.skeleton)))
+        sources.bind(loaded, sources.text_of(sources.read_file(request.skeleton)))
         return request.skeleton, ""
     _, path, reason = sources.find_skeleton(request.path, loaded)
     return path, reason
@@ -145,14 +144,13 @@ def _fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, 
     own = motion.skeleton_text
     if request.skeleton or not own:
         path, reason = _skeleton_file(loaded, request)
-        skeleton_file = sources.read_file(path)
-        text = sources.text_of(skeleton_file.clip)
+        text = sources.text_of(sources.read_file(path))
         if reason:
             told.append(f"Took {base_name(path)}, because {reason}")
     else:
         text = own
     skeleton = sources.skeleton_from_text(text)
-    sources.bind(loaded, skeleton)
+    sources.bind(loaded, text)
     missing = sources.missing_bones(loaded, sources.matched_bones(motion, skeleton, ob.data.bones.keys()))
     if missing:
         raise UserError(misfit(loaded.clip.path, missing, ob.name))

@@ -29,7 +29,8 @@ def load_addon() -> ModuleType:
     spec = importlib.util.spec_from_file_location(
         PACKAGE, folder / "__init__.py", submodule_search_locations=[str(folder)]
     )
-    assert spec is not None and spec.loader is not None
+    assert spec is not None
+    assert spec.loader is not None
     package = importlib.util.module_from_spec(spec)
     sys.modules[PACKAGE] = package
     spec.loader.exec_module(package)
@@ -52,7 +53,8 @@ def empty_file() -> None:
 def armature() -> bpy.types.Object:
     """Return the active armature."""
     ob = bpy.context.view_layer.objects.active
-    assert ob is not None and ob.type == "ARMATURE"
+    assert ob is not None
+    assert ob.type == "ARMATURE"
     return ob
 
 
@@ -157,7 +159,8 @@ def snapshot() -> dict[str, object]:
 def settings(entry: object) -> dict[str, object]:
     """Return all settings of an entry but what the last rebuild noted there."""
     noted = {"rna_type", "notices", "error"}
-    values = {name: getattr(entry, name) for name in entry.bl_rna.properties.keys() if name not in noted}
+    names = [definition.identifier for definition in entry.bl_rna.properties]  # type: ignore[attr-defined]
+    values = {name: getattr(entry, name) for name in names if name not in noted}
     return {name: value.name if hasattr(value, "name") else value for name, value in values.items()}
 
 

@@ -79,5 +79,5 @@ def same(some: Index, others: Index) -> bool:
     return all(
         np.array_equal(values, other)
         for key, curve in some.items()
-        for values, other in zip(keys(curve).values(), keys(others[key]).values())
+        for values, other in zip(keys(curve).values(), keys(others[key]).values(), strict=True)
     )

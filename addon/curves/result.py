@@ -56,7 +56,7 @@ class Result:
         if recorded is None:
             before = read.of_bone(base, bone)
             expected = [read.coordinates(curve) for curve in before]
-            if not all(np.array_equal(a, b) for a, b in zip(now, expected)):
+            if not all(np.array_equal(a, b) for a, b in zip(now, expected, strict=True)):
                 return True
             return digest.shape(read.of_bone(self._curves, bone)) != digest.shape(before)
         values, shape = digest.parts(recorded)
@@ -71,7 +71,7 @@ class Result:
         """Return whether a rebuild touches nothing of a bone's keys but their values."""
         return not shape and all(
             not len(current) if wanted is None else wanted.is_plain and write.same_frames(wanted, current)
-            for wanted, current in zip(row, now)
+            for wanted, current in zip(row, now, strict=True)
         )
 
     def write(
@@ -132,7 +132,7 @@ class Result:
         recorded = self.digests.get(bone)
         has_plain_keys = recorded is not None and not digest.parts(recorded)[1]
         after: Coordinates = []
-        for slot, curve, wanted, current in zip(read.slots(bone), curves, row, before):
+        for slot, curve, wanted, current in zip(read.slots(bone), curves, row, before, strict=True):
             if wanted is None:
                 if curve is not None:
                     write.remove_curve(bag, self._curves, slot)

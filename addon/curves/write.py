@@ -98,7 +98,7 @@ def _restore_handles(curve: FCurve, wanted: Wanted) -> None:
 
 
 def remove_curve(bag: Bag, curves: read.Index, slot: tuple[str, int]) -> None:
-    """Remove an F-curve, and the group of its bone if that was its last one (Blender does so itself in some versions)."""
+    """Remove an F-curve, and the group of its bone if that was its last one, as some versions of Blender do."""
     curve = curves.pop(slot)
     group_name = curve.group.name if curve.group is not None else ""
     bag.fcurves.remove(curve)

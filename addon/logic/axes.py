@@ -16,7 +16,7 @@ TO_BLENDER: dict[str, tuple[float, float, float, float]] = {
     "Y": (_HALF, _HALF, 0.0, 0.0),  # (x, y, z) -> (x, -z, y)
     "Z": (1.0, 0.0, 0.0, 0.0),
 }
-"""The rotation that brings the named axis up to Blender's Z. A figure that faces +Z with Y up then faces -Y, the viewer."""
+"""The rotation that brings the named axis to Blender's Z. With Y up, a figure that faces +Z then faces the viewer."""
 
 
 def up_axis(up: tuple[float, float, float]) -> UpAxis:

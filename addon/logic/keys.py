@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float32] | NDArray[np.int32]
+Array = NDArray[Any]
+"""Of float32 or int32, as `FIELDS` says."""
+
 Keys = dict[str, Array]
 """All keys of one curve: an array for each field, flat as `foreach_set` takes it."""
 

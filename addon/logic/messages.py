@@ -9,7 +9,7 @@ SHOWN_NAMES = 8
 
 
 class UserError(Exception):
-    """Something the user asked for cannot be done; the text is one sentence that says why and, where it can, what to do."""
+    """Something that the user asked for cannot be done; the text is one sentence: why, and what to do about it."""
 
 
 def base_name(path: str) -> str:
@@ -40,7 +40,7 @@ def frame_range(start: float, end: float) -> str:
 
 
 def sentences(parts: Iterable[str]) -> str:
-    """Join parts to sentences, each begun in upper case and ended with a full stop, the last left open as Blender does."""
+    """Join parts to sentences in upper case, with a full stop between them but, as in Blender, none at the end."""
     texts = [part.strip().rstrip(".") for part in parts if part.strip()]
     return ". ".join(text[0].upper() + text[1:] for text in texts)
 

@@ -1,7 +1,5 @@
 """Adding a motion file to an armature, as a track on top of its stack."""
 
-# mypy: disable-error-code="valid-type"
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

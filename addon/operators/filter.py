@@ -1,7 +1,5 @@
 """Filtering the motion of an armature, as an entry of its stack."""
 
-# mypy: disable-error-code="valid-type"
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,7 +1,5 @@
 """Importing an Acclaim skeleton as an armature in its setup pose."""
 
-# mypy: disable-error-code="valid-type"
-
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -122,7 +122,7 @@ def _layout(skeleton: motion_theater.Skeleton, *, scale: float, up: str, bone_st
 def _add_bones(
     armature: Armature, skeleton: motion_theater.Skeleton, layout: Layout, *, may_connect: bool
 ) -> dict[str, str]:
-    """Make the bones in Edit Mode; return the names that Blender gave them, which are unique and at most 63 bytes long."""
+    """Make the bones in Edit Mode; return the names that Blender gave them: unique, and at most 63 bytes long."""
     made: list[EditBone] = []
     for number, file_name in enumerate(skeleton.names):
         bone = armature.edit_bones.new(file_name)
@@ -136,14 +136,14 @@ def _add_bones(
             meets = np.linalg.norm(layout.heads[number] - layout.tails[parent]) <= CONNECT_TOLERANCE
             bone.use_connect = bool(may_connect and meets and not moves and not layout.is_point[parent])
         made.append(bone)
-    return {file_name: bone.name for file_name, bone in zip(skeleton.names, made)}
+    return {file_name: bone.name for file_name, bone in zip(skeleton.names, made, strict=True)}
 
 
 def _add_limits(bone: bpy.types.PoseBone, dofs: list[str], limits: list[tuple[float, float]]) -> None:
     """Add the file's limits as a Limit Rotation constraint, in the file's own numbers."""
     rotations = {
         dof[1]: limit
-        for dof, limit in zip(dofs, limits)
+        for dof, limit in zip(dofs, limits, strict=False)  # a file may give none
         if dof.startswith("r") and any(math.isfinite(bound) for bound in limit)
     }
     if not rotations:

@@ -109,12 +109,14 @@ def scale_from_rest(rest: Rest, skeleton: motion_theater.Skeleton, file_names: M
     pairs = [(number, at[file_names[name]]) for number, name in enumerate(skeleton.names) if name in file_names]
     if not pairs:
         return skeleton.unit_m
-    in_file, in_scene = (
-        np.asarray(heads)[list(which)] for heads, which in zip((skeleton.heads, rest.heads), zip(*pairs))
-    )
-    extent_file, extent_scene = (
-        float(np.linalg.norm(heads - heads.mean(axis=0), axis=1).mean()) for heads in (in_file, in_scene)
-    )
+    file_bones, scene_bones = (list(which) for which in zip(*pairs, strict=True))
+    extent_file = _extent(np.asarray(skeleton.heads)[file_bones])
+    extent_scene = _extent(rest.heads[scene_bones])
     if extent_file <= 0.0 or extent_scene <= 0.0:
         return skeleton.unit_m
     return extent_scene / extent_file
+
+
+def _extent(points: Floats) -> float:
+    """Return the mean distance of points from their middle."""
+    return float(np.linalg.norm(points - points.mean(axis=0), axis=1).mean())

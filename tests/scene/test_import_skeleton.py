@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
-import motion_theater
 import numpy as np
 import pytest
 from mathutils import Vector
 
+import motion_theater
 from tests import harness
 
 ASF = harness.TESTDATA / "human.asf"

@@ -99,7 +99,7 @@ def test_tails_are_those_of_an_independent_reader(case: tuple[Path, Path, list[d
     skeleton, stack = motion_theater.read(asf).skeleton, ob.motion_theater
     first = ob.motion_theater.entries[0].clip_first
     rest = {name: np.array(ob.data.bones[name].matrix_local) for name in skeleton.names}
-    tails = dict(zip(skeleton.names, converted(skeleton.tails, stack.up, stack.unit_m)))
+    tails = dict(zip(skeleton.names, converted(skeleton.tails, stack.up, stack.unit_m), strict=True))
     assert facts
     for fact in facts:
         bone = fact["bone"]

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import bpy
-import motion_theater
 import numpy as np
 import pytest
 
+import motion_theater
 from tests import harness
 
 stack = harness.module("stack")
@@ -74,9 +74,7 @@ def test_the_rate_that_the_user_gives_goes_before_that_of_the_file(rate_hz: floa
     ("choice", "before", "after"),
     [("EXTEND", (10, 50), (1, 113)), ("FIT", (-0, 500), (1, 113)), ("KEEP", (10, 50), (10, 50))],
 )
-def test_the_frame_range_follows_the_choice(
-    choice: str, before: tuple[int, int], after: tuple[int, int]
-) -> None:
+def test_the_frame_range_follows_the_choice(choice: str, before: tuple[int, int], after: tuple[int, int]) -> None:
     scene = bpy.context.scene
     scene.frame_start, scene.frame_end = before
     harness.import_human()

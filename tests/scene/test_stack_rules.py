@@ -234,3 +234,27 @@ def test_muting_or_removing_any_entry_equals_never_having_added_it(tracks: list[
     assert harness.same_keys(expected, harness.keys(ob))
     stack.remove_entry(ob, which)
     assert harness.same_keys(expected, harness.keys(ob))
+
+
+def test_an_edit_is_seen_at_once_at_the_current_frame() -> None:
+    ob = harness.import_human()
+    harness.add("walk.amc", scale_start=1, scale_end=100)
+    bpy.context.scene.frame_set(40)
+    before = ob.pose.bones["ltibia"].matrix.copy()
+    ob.motion_theater.entries[0].cut_start = 35
+    bpy.context.view_layer.update()
+    shown = ob.pose.bones["ltibia"].matrix.copy()
+    assert shown != before
+    bpy.context.scene.frame_set(40)
+    assert shown == ob.pose.bones["ltibia"].matrix
+
+
+def test_two_armatures_have_stacks_of_their_own() -> None:
+    first = harness.import_human()
+    harness.add("walk.amc")
+    before = harness.keys(first)
+    second = harness.import_human()
+    harness.add("wave.amc")
+    assert harness.same_keys(before, harness.keys(first))
+    assert first.animation_data.action != second.animation_data.action
+    assert [entry.name for entry in second.motion_theater.entries] == ["wave"]

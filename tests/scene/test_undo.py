@@ -44,7 +44,6 @@ def remove() -> None:
     bpy.ops.motion_theater.entry_remove("EXEC_DEFAULT", True)
 
 
-
 TUTORIAL: tuple[Callable[[], None], ...] = (
     import_skeleton,
     lambda: select(LEGS),

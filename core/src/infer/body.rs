@@ -4,12 +4,19 @@ use super::names::{classify, Part, Side};
 use crate::skeleton::Skeleton;
 use std::collections::{HashMap, HashSet};
 
-/// Hip joint to ankle and hip joint to head joint, as a share of the height of a person. The rest is the foot under the
-/// ankle and the skull above the joint; measured on the public data sets, within a tenth.
+/// Hip joint to ankle, as a share of a person's height.
+const LEG_SHARE: f64 = 0.49;
+
+/// Hip joint to ankle and hip joint to head joint, as a share of a person's height: the rest is the foot under the ankle
+/// and the skull above the joint.
 const LEG_AND_TRUNK_SHARE: f64 = 0.87;
 
-/// How many times longer than the trunk the legs of a person are, in any skeleton that was drawn for one.
-const LEGS_PER_TRUNK: std::ops::RangeInclusive<f64> = 0.6..=2.4;
+/// How many times longer the trunk is up to the head joint than up to the top of the neck's first bones.
+const TRUNK_PER_NECK: f64 = 1.2;
+
+/// How many times longer than the trunk the legs of a person are, in the skeletons of the public data sets: some leave
+/// out a part of the spine. Animals on four legs have a longer trunk.
+const LEGS_PER_TRUNK: std::ops::RangeInclusive<f64> = 1.0..=2.2;
 
 /// Two legs, and what can be found above them. Numbers are indices of bones.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +31,7 @@ pub(super) struct Body {
     pub(super) toes: Option<[usize; 2]>,
     /// Left and right, where there are both.
     pub(super) hands: Option<[usize; 2]>,
-    /// The joint at the top of the neck.
+    /// The joint at the top of the neck, or where there is none the last one of the neck.
     pub(super) head: Option<usize>,
     /// From a hip joint to the ankle along the bones, in file units.
     pub(super) leg: f64,
@@ -36,11 +43,14 @@ pub(super) struct Body {
 impl Body {
     /// Finds a body by names; `None` where there is no pair of legs.
     pub(super) fn find(skeleton: &Skeleton) -> Option<Self> {
-        // The first of several is the one nearest to the root.
+        // The first of several is the one nearest to the root, but for a neck.
         let mut parts: HashMap<(Part, Side), usize> = HashMap::new();
         for (index, bone) in skeleton.bones.iter().enumerate() {
             if let Some(found) = classify(&bone.name) {
-                parts.entry(found).or_insert(index);
+                let first = parts.entry(found).or_insert(index);
+                if found.0 == Part::Neck {
+                    *first = index;
+                }
             }
         }
         let pair = |part| {
@@ -50,19 +60,20 @@ impl Body {
         let feet = pair(Part::Foot)?;
         let pelvis = common_ancestor(skeleton, feet[0], feet[1])?;
         let thighs = pair(Part::Thigh)?;
-        let head = parts.get(&(Part::Head, Side::Middle)).copied();
+        let [head, neck, tail] = [Part::Head, Part::Neck, Part::Tail].map(|part| parts.get(&(part, Side::Middle)).copied());
         let leg = feet.iter().zip(thighs).map(|(foot, thigh)| path_length(skeleton, thigh, *foot)).sum::<Option<f64>>()? / 2.0;
-        let trunk = head.and_then(|head| trunk_length(skeleton, pelvis, head)).unwrap_or(0.0);
+        let trunk_to = |joint| trunk_length(skeleton, pelvis, joint);
+        let trunk = head.and_then(trunk_to).or(neck.and_then(trunk_to).map(|length| length * TRUNK_PER_NECK));
         Some(Self {
             pelvis,
             thighs,
             feet,
             toes: pair(Part::Toe),
             hands: pair(Part::Hand),
-            head: head.filter(|_| trunk > 0.0),
+            head: head.or(neck).filter(|_| trunk.is_some()),
             leg,
-            trunk,
-            has_tail: parts.contains_key(&(Part::Tail, Side::Middle)),
+            trunk: trunk.unwrap_or(0.0),
+            has_tail: tail.is_some(),
         })
     }
 
@@ -77,9 +88,10 @@ impl Body {
         self.leg + if self.is_person() { self.trunk } else { 0.0 }
     }
 
-    /// Returns how tall a person with these bones is, whatever the pose, in file units.
+    /// Returns how tall a person with these bones is, whatever the pose, in file units: by the legs and by all of the body,
+    /// in the mean.
     pub(super) fn stature(&self) -> f64 {
-        (self.leg + self.trunk) / LEG_AND_TRUNK_SHARE
+        (self.leg / LEG_SHARE + (self.leg + self.trunk) / LEG_AND_TRUNK_SHARE) / 2.0
     }
 }
 

@@ -72,7 +72,7 @@ pub fn infer(skeleton: &Skeleton, motion: Option<&Motion>) -> Inference {
     let stances = stance::Stances::new(skeleton, motion, body.as_ref());
     let up = stances.up();
     Inference {
-        unit_m: unit::unit(body.as_ref()),
+        unit_m: unit::unit(body.as_ref(), stances.rise(up.value)),
         facing: stances.facing(up.value),
         rate_hz: rate(motion),
         up,

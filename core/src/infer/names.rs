@@ -4,6 +4,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Part {
     Head,
+    Neck,
     Hand,
     Thigh,
     Foot,
@@ -24,6 +25,8 @@ pub(super) enum Side {
 /// side is where the thigh begins.
 const WORDS: &[(&str, Part)] = &[
     ("head", Part::Head),
+    ("atlas", Part::Head),
+    ("neck", Part::Neck),
     ("hand", Part::Hand),
     ("wrist", Part::Hand),
     ("thigh", Part::Thigh),
@@ -105,6 +108,7 @@ mod tests {
         use {Part::*, Side::*};
         let table = [
             (Head, Middle, "Head head HEAD mixamorig:Head Character1_Head Bip01_Head"),
+            (Neck, Middle, "Neck Neck1 LowerNeck neck NECK#"),
             (Hand, Left, "LeftHand lHand LEFT_HAND# Hand_L J_L_Hand LeftWrist wrist.L lhand"),
             (Thigh, Right, "RightUpLeg rThigh rfemur RightHip J_R_Hip RIGHT_HIP# upperleg01.R UpLeg_R Bip01_R_Thigh UpperLeg_R"),
             (Foot, Left, "LeftFoot lfoot LeftAnkle foot.L Foot_L Bip01_L_Foot mixamorig:LeftFoot LEFT_FOOT l_foot"),
@@ -121,7 +125,7 @@ mod tests {
     #[test]
     fn names_of_other_joints_mean_nothing() {
         let names = "Hips hip pelvis LHipJoint LeftLeg lowerback RightInHandIndex LeftHandThumb1 HeadTop_End LeftFootEnd \
-            Neck lButtock foot Foot Root levator05.l forehead Ltd";
+            lButtock foot Foot Root levator05.l forehead Ltd";
         for name in names.split_whitespace().chain(["", ":", "   "]) {
             assert_eq!(classify(name), None, "{name}");
         }

@@ -25,6 +25,12 @@ const STRETCHED: f64 = 0.7;
 /// Within this cosine of an axis a direction is meant to be along it: 26 degrees.
 const ALONG_AXIS: f64 = 0.9;
 
+/// Toes point forward where the cosine of that is more than this: feet mostly point down as well.
+const TOES_FORWARD: f64 = 0.3;
+
+/// Thighs are apart by more than this share of a leg, or begin in one place.
+const NARROWEST: f64 = 0.02;
+
 /// The axis that points up in nearly all files.
 const USUAL_UP: DVec3 = DVec3::Y;
 
@@ -34,11 +40,13 @@ const USUAL_FACING: DVec3 = DVec3::Z;
 /// How a body stands at one moment.
 #[derive(Debug, Clone, Copy)]
 struct Stance {
+    /// Where the legs come together.
+    pelvis: DVec3,
     /// From the middle of the feet to the head, or to the pelvis of an animal.
     upward: DVec3,
-    /// From the right thigh to the left one.
+    /// From the right thigh to the left one, or from foot to foot where the thighs begin in one place.
     leftward: DVec3,
-    /// From the ankles to the toes; zero where these are not known.
+    /// From the ankles to the toes, or along the feet where there are none.
     forward: DVec3,
 }
 
@@ -53,12 +61,17 @@ impl<'a> Stances<'a> {
     /// Looks at the rest pose and at frames spread over the motion.
     pub(super) fn new(skeleton: &Skeleton, motion: Option<&Motion>, body: Option<&'a Body>) -> Self {
         let Some(found) = body else { return Self { body, rest: None, frames: Vec::new() } };
-        let rest = Stance::new(found, &skeleton.rest_heads());
+        let heads = skeleton.rest_heads();
+        let tails: Vec<_> = heads.iter().zip(&skeleton.bones).map(|(head, bone)| *head + bone.tail).collect();
+        let rest = Stance::new(found, &heads, &tails);
         let frame_count = motion.map_or(0, |motion| motion.frame_count);
         let most = MOST_FRAMES.min(MOST_BONES / skeleton.bones.len().max(1)).min(frame_count);
         let frames = motion.into_iter().flat_map(|motion| {
             let frame = move |index: usize| motion.first_frame as f64 + (index * frame_count / most) as f64;
-            (0..most).filter_map(move |index| Stance::new(found, &pose(skeleton, motion, frame(index)).heads))
+            (0..most).filter_map(move |index| {
+                let pose = pose(skeleton, motion, frame(index));
+                Stance::new(found, &pose.heads, &pose.tails)
+            })
         });
         Self { body, rest, frames: frames.collect() }
     }
@@ -68,8 +81,7 @@ impl<'a> Stances<'a> {
         let Some(body) = self.body else {
             return Answer::unsure(USUAL_UP, "Y, as in most files: no legs were found by their names");
         };
-        let rest = self.rest.filter(|rest| rest.upward.length() >= STRETCHED * body.standing_length()).map(|rest| rest.up());
-        let rest = rest.filter(|(_, cosine)| *cosine >= ALONG_AXIS).map(|(axis, _)| axis);
+        let rest = self.standing_at_rest().map(|(axis, _)| axis);
         let moving = self.upright_over_time();
         let name = axis_name;
         match (moving, rest) {
@@ -102,46 +114,63 @@ impl<'a> Stances<'a> {
         (upright.count() as f64 >= MOST_OF_THE_TIME * self.frames.len() as f64).then_some(axis)
     }
 
-    /// Returns the axis towards which the figure looks.
+    /// Returns the axis along which the rest pose stands, where it does.
+    fn standing_at_rest(&self) -> Option<(DVec3, &Stance)> {
+        let (body, rest) = (self.body?, self.rest.as_ref()?);
+        let (axis, cosine) = nearest_axis(rest.upward)?;
+        let is_stretched = rest.upward.length() >= STRETCHED * body.standing_length();
+        (is_stretched && cosine >= ALONG_AXIS).then_some((axis, rest))
+    }
+
+    /// Returns how far the pelvis goes up and down, in file units.
+    pub(super) fn rise(&self, up: DVec3) -> f64 {
+        let heights = || self.frames.iter().map(|stance| stance.pelvis.dot(up));
+        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns the axis towards which the figure looks. Only a rest pose that stands makes it certain: a motion may begin
+    /// in any direction.
     pub(super) fn facing(&self, up: DVec3) -> Answer<DVec3> {
         let usual = if up.dot(USUAL_FACING) == 0.0 { USUAL_FACING } else { -DVec3::Y * up.dot(USUAL_FACING) };
+        let as_usual = |why: &str| Answer::unsure(usual, format!("{}, as in most files: {why}", axis_name(usual)));
+        let standing = self.standing_at_rest().filter(|(axis, _)| *axis == up).map(|(_, rest)| rest);
         let is_upright = |stance: &&Stance| stance.upward.normalize_or_zero().dot(up) >= UPRIGHT;
-        let (stance, when) = match (self.rest.as_ref().filter(is_upright), self.frames.first().filter(is_upright)) {
+        let (stance, when) = match (standing, self.frames.first().filter(is_upright)) {
             (Some(rest), _) => (rest, "in the rest pose"),
             (None, Some(first)) => (first, "at the first frame"),
-            (None, None) => return Answer::unsure(usual, format!("{}, as in most files", axis_name(usual))),
+            (None, None) => return as_usual("the figure does not stand"),
         };
-        let forward = stance.leftward.cross(up).normalize_or_zero();
-        let along_ground = (stance.forward - up * stance.forward.dot(up)).normalize_or_zero();
-        let Some((axis, cosine)) = nearest_axis(forward) else {
-            return Answer::unsure(usual, format!("{}, as in most files: the thighs have no sides", axis_name(usual)));
-        };
-        let reason = format!("{}: to the front of the thighs {when}", axis_name(axis));
-        if along_ground.dot(forward) < 0.0 {
-            return Answer::unsure(axis, format!("{reason}, but the toes point the other way"));
+        let forward = stance.leftward.cross(up);
+        let Some((axis, cosine)) = nearest_axis(forward) else { return as_usual("the legs have no sides") };
+        let reason = format!("{}: to the front of the legs {when}", axis_name(axis));
+        let toes = stance.forward.normalize_or_zero().dot(forward.normalize_or_zero());
+        if toes < -TOES_FORWARD {
+            Answer::unsure(axis, format!("{reason}, but the toes point the other way"))
+        } else if cosine < ALONG_AXIS {
+            Answer::unsure(axis, format!("{reason}, though not quite"))
+        } else if standing.is_some() && toes >= TOES_FORWARD {
+            Answer::certain(axis, format!("{reason}, and so do the toes"))
+        } else {
+            Answer::unsure(axis, reason)
         }
-        if cosine < ALONG_AXIS {
-            return Answer::unsure(axis, format!("{reason}, though not quite"));
-        }
-        Answer::certain(axis, reason)
     }
 }
 
 impl Stance {
-    fn new(body: &Body, heads: &[DVec3]) -> Option<Self> {
-        let at = |index: usize| heads.get(index).copied();
-        let middle = |pair: [usize; 2]| Some((at(pair[0])? + at(pair[1])?) / 2.0);
-        let feet = middle(body.feet)?;
-        let top = if body.is_person() { body.head.and_then(at)? } else { at(body.pelvis)? };
+    fn new(body: &Body, heads: &[DVec3], tails: &[DVec3]) -> Option<Self> {
+        let between = |points: &[DVec3], pair: [usize; 2]| Some((*points.get(pair[0])?, *points.get(pair[1])?));
+        let middle = |points: &[DVec3], pair| between(points, pair).map(|(left, right)| (left + right) / 2.0);
+        let to_left = |pair| between(heads, pair).map(|(left, right)| left - right);
+        let feet = middle(heads, body.feet)?;
+        let pelvis = *heads.get(body.pelvis)?;
+        let top = if body.is_person() { *heads.get(body.head?)? } else { pelvis };
+        let thighs = to_left(body.thighs)?;
         Some(Self {
+            pelvis,
             upward: top - feet,
-            leftward: at(body.thighs[0])? - at(body.thighs[1])?,
-            forward: body.toes.and_then(middle).map_or(DVec3::ZERO, |toes| toes - feet),
+            leftward: if thighs.length() > NARROWEST * body.leg { thighs } else { to_left(body.feet)? },
+            forward: body.toes.map_or_else(|| middle(tails, body.feet), |toes| middle(heads, toes))? - feet,
         })
-    }
-
-    fn up(&self) -> (DVec3, f64) {
-        nearest_axis(self.upward).unwrap_or((USUAL_UP, 0.0))
     }
 }
 

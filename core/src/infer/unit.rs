@@ -48,22 +48,30 @@ const UNITS: [(f64, &str, bool); 7] = [
     (0.3048, "feet", false),
 ];
 
-/// Works out the unit from the lengths of a body's bones.
-pub(super) fn unit(body: Option<&Body>) -> Answer<f64> {
+/// Nobody moves up and down by more than this many times their own height.
+const HIGHEST_JUMP: f64 = 1.0;
+
+/// Works out the unit from the lengths of a body's bones. `rise` is how far its pelvis goes up and down.
+pub(super) fn unit(body: Option<&Body>, rise: f64) -> Answer<f64> {
     let Some(body) = body.filter(|body| body.is_person()) else {
         let reason = "centimetres, as in most files: the joints are not a person's, or their names do not say so";
         return Answer::unsure(0.01, reason);
     };
     let height = body.stature();
-    let readings = UNITS.map(|(metres, name, _)| Reading::new(metres, name));
+    let distance = |reading: &Reading| (height * reading.metres / TYPICAL_PERSON_M).ln().abs();
+    let mut readings = UNITS.map(|(metres, name, _)| Reading::new(metres, name));
+    readings.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let Some((reading, other)) = Reading::plausible(&readings, height) else {
-        let reason = format!("no usual unit makes the figure a person: scaled to {TYPICAL_PERSON_M:.2} m");
+        let reason = format!("no usual unit makes the figure a person: taken as {TYPICAL_PERSON_M:.2} m tall");
         return Answer::unsure(TYPICAL_PERSON_M / height, reason);
     };
     let metres = reading.metres;
     let reason = format!("{}: by its bones the figure is about {:.2} m tall", reading.name, height * metres);
     if let Some(other) = other {
         return Answer::unsure(metres, format!("{reason}; {} would be plausible too", other.name));
+    }
+    if rise > HIGHEST_JUMP * height {
+        return Answer::unsure(metres, format!("{reason}, but it moves as if its positions had another unit"));
     }
     let is_common = UNITS.iter().any(|(known, _, is_common)| *known == metres && *is_common);
     if is_common && USUAL_PERSON_M.contains(&(height * metres)) {

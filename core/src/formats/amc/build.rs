@@ -1,7 +1,7 @@
 //! [`Motion`] -> [`Amc`].
 
 use super::{Amc, AmcBone, AmcHeader};
-use crate::formats::asf::{file_names, rotation_order};
+use crate::formats::asf::{file_names, rotation_order, ROOT};
 use crate::formats::AngleUnit;
 use crate::motion::{BoneMotion, Motion};
 use crate::skeleton::{Bone, Dof, EulerOrder, Skeleton};
@@ -15,14 +15,14 @@ impl Amc {
         let names = file_names(skeleton);
         let at_rest = BoneMotion::default();
         let motions = motion.bones.iter().chain(std::iter::repeat(&at_rest));
-        let moving = skeleton.bones.iter().zip(motions).filter(|(bone, _)| !bone.dofs.is_empty());
-        let moving: Vec<_> = moving.collect();
-        let named = skeleton.bones.iter().zip(names).filter(|(bone, _)| !bone.dofs.is_empty());
+        let named = skeleton.bones.iter().zip(motions).zip(&names).filter(|((bone, _), _)| !bone.dofs.is_empty());
+        let moving: Vec<_> = named.map(|((bone, channels), name)| (bone, channels, name)).collect();
         let mut values =
-            Vec::with_capacity(motion.frame_count * moving.iter().map(|(bone, _)| bone.dofs.len()).sum::<usize>());
+            Vec::with_capacity(motion.frame_count * moving.iter().map(|(bone, ..)| bone.dofs.len()).sum::<usize>());
         for frame in 0..motion.frame_count {
-            for (bone, channels) in &moving {
-                push_values(bone, channels, frame, angle, &mut values);
+            for (bone, channels, name) in &moving {
+                let translation_axes = if *name == ROOT { DQuat::IDENTITY } else { bone.axes };
+                push_values(bone, channels, frame, translation_axes, angle, &mut values);
             }
         }
         Self {
@@ -32,7 +32,10 @@ impl Amc {
                 rate_hz: motion.rate_hz,
                 ..AmcHeader::default()
             },
-            bones: named.map(|(bone, name)| AmcBone { name, width: bone.dofs.len() }).collect(),
+            bones: moving
+                .iter()
+                .map(|(bone, _, name)| AmcBone { name: (*name).clone(), width: bone.dofs.len() })
+                .collect(),
             first_frame: motion.first_frame,
             frame_count: motion.frame_count,
             frame_numbers: Vec::new(),
@@ -77,11 +80,19 @@ fn needed_dofs(bone: &Bone, channels: &BoneMotion) -> Vec<Dof> {
     dofs
 }
 
-fn push_values(bone: &Bone, channels: &BoneMotion, frame: usize, angle: AngleUnit, values: &mut Vec<f64>) {
+/// Appends the values of one bone in one frame; its translation is along `translation_axes`.
+fn push_values(
+    bone: &Bone,
+    channels: &BoneMotion,
+    frame: usize,
+    translation_axes: DQuat,
+    angle: AngleUnit,
+    values: &mut Vec<f64>,
+) {
     let angles = channels.angles.get(frame).copied();
     let angles = angles.or_else(|| Some(angles_of(bone, *channels.rotations.get(frame)?))).unwrap_or_default();
     let translation = channels.translations.get(frame).copied().unwrap_or_default();
-    let translation = if bone.parent.is_none() { translation } else { bone.axes.inverse() * translation };
+    let translation = translation_axes.inverse() * translation;
     values.extend(bone.dofs.iter().map(|dof| match dof {
         Dof::Rotate(axis) => angle.of_radians(angles[*axis]),
         Dof::Translate(axis) => translation[*axis],

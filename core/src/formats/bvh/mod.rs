@@ -12,6 +12,7 @@
 //! the six channels in any order and number. Values come in file order, usually one line per frame; what happens where
 //! they do not is said in [`rows`].
 
+mod convert;
 mod faults;
 mod hierarchy;
 mod motion;
