@@ -30,12 +30,19 @@ impl Format {
         FORMATS.iter().find(|(format, _)| *format == self).map_or("", |(_, extension)| extension)
     }
 
+    /// Returns the format of an extension, in either case and without a dot.
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
+    }
+
+    /// Returns the extensions of all formats in words: "asf, amc, bvh".
+    pub fn list() -> String {
+        FORMATS.map(|(_, extension)| extension).join(", ")
+    }
+
     /// Returns what the bytes are by their content, or else by the extension of `name`.
     fn of(source: &[u8], name: &Path) -> Option<Self> {
-        let by_extension = || {
-            let extension = name.extension()?.to_str()?;
-            FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
-        };
+        let by_extension = || Self::from_extension(name.extension()?.to_str()?);
         match recognise(source) {
             Some(Kind::Asf) => Some(Self::Asf),
             Some(Kind::Amc) => Some(Self::Amc),

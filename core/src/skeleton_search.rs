@@ -40,22 +40,24 @@ fn in_folder(motion: &Path, hint: Option<&str>, files: &[PathBuf], place: &str) 
     let hint = hint.and_then(|hint| hint.rsplit(['/', '\\']).next()).map(str::to_lowercase);
     let number = subject(&take).to_owned();
 
-    let mut found = Vec::new();
-    let mut add = |path: &&PathBuf, reason: &str| {
-        found.push(Candidate { path: (*path).clone(), reason: reason.to_owned() });
+    let of_name = |name: fn(&Path) -> Option<&std::ffi::OsStr>, wanted: &str| {
+        skeletons.iter().filter(|path| lower(name(path)) == wanted).copied().collect::<Vec<_>>()
     };
-    skeletons
-        .iter()
-        .filter(|path| Some(lower(path.file_name())) == hint)
-        .for_each(|path| add(path, "named in the motion file"));
-    skeletons.iter().filter(|path| lower(path.file_stem()) == take).for_each(|path| add(path, "it has the same name"));
-    let mut related: Vec<_> = skeletons.iter().filter(|path| subject(&lower(path.file_stem())) == number).collect();
+    let hinted = hint.map_or_else(Vec::new, |hint| of_name(Path::file_name, &hint));
+    let namesakes = of_name(Path::file_stem, &take);
+    let mut related = skeletons.clone();
+    related.retain(|path| subject(&lower(path.file_stem())) == number);
     related.sort_by_key(|path| path.file_stem().map_or(0, std::ffi::OsStr::len));
-    related.into_iter().for_each(|path| add(path, &format!("it is of the same subject, {number}")));
-    if let [only] = skeletons.as_slice() {
-        add(only, &format!("it is the only skeleton {place}"));
-    }
-    found
+    let only = if skeletons.len() == 1 { skeletons } else { Vec::new() };
+    let reasons = [
+        (hinted, "named in the motion file".to_owned()),
+        (namesakes, "it has the same name".to_owned()),
+        (related, format!("it is of the same subject, {number}")),
+        (only, format!("it is the only skeleton {place}")),
+    ];
+    let candidate = |path: &PathBuf, reason: &str| Candidate { path: path.clone(), reason: reason.to_owned() };
+    let found = reasons.iter().flat_map(|(paths, reason)| paths.iter().map(move |path| candidate(path, reason)));
+    found.collect()
 }
 
 fn lower(part: Option<&std::ffi::OsStr>) -> String {

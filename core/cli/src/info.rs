@@ -11,7 +11,7 @@ use crate::console::Console;
 use crate::folder::{look, Found};
 use crate::load::{Loaded, SkeletonFile};
 use crate::upright::axis_name;
-use crate::{in_order, Failures, Outcome, WrongUse};
+use crate::{in_order, Failures, Outcome};
 
 /// What is in one file; the fields of the JSON object. What a file does not have, or could not be read, is null.
 #[derive(Debug, Default, Serialize)]
@@ -37,7 +37,7 @@ struct Info {
 
 /// Runs the command.
 pub fn run(options: &InfoOptions, console: &Console, stop: &AtomicBool) -> Outcome {
-    let skeleton = options.skeleton.as_deref().map(SkeletonFile::read).transpose().map_err(WrongUse)?;
+    let skeleton = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
     let mut failures = Failures::default();
     let mut files: Vec<Result<PathBuf, (PathBuf, String)>> = Vec::new();
     for path in &options.files {

@@ -41,12 +41,26 @@ pub const FAILURE: u8 = 1;
 /// The arguments make no sense.
 pub const WRONG_USE: u8 = 2;
 
-/// How a command ended, where it is not that of single files: arguments that make no sense together.
+/// Arguments that make no sense together, and why.
 #[derive(Debug)]
 struct WrongUse(String);
 
-/// How many files failed; wrong use otherwise.
-type Outcome = Result<Failures, WrongUse>;
+/// Why a command ended before its first file.
+#[derive(Debug)]
+enum Refusal {
+    WrongUse(WrongUse),
+    /// A file that all others need cannot be read.
+    Failed(String),
+}
+
+impl From<WrongUse> for Refusal {
+    fn from(wrong: WrongUse) -> Self {
+        Self::WrongUse(wrong)
+    }
+}
+
+/// How a command ended.
+type Outcome = Result<Failures, Refusal>;
 
 /// Whether some file failed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -77,7 +91,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, console: &Console, sto
     match outcome {
         Ok(Failures(false)) => SUCCESS,
         Ok(Failures(true)) => FAILURE,
-        Err(WrongUse(text)) => {
+        Err(Refusal::Failed(text)) => {
+            console.warn(&text);
+            FAILURE
+        }
+        Err(Refusal::WrongUse(WrongUse(text))) => {
             console.warn(&format!("error: {text}"));
             WRONG_USE
         }

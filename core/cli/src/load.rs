@@ -8,6 +8,7 @@ use motion_theater_core::stack::ASSUMED_RATE_HZ;
 use motion_theater_core::{Motion, ReadError, Skeleton};
 
 use crate::folder::{files_in, words};
+use crate::Refusal;
 
 /// What a file holds, on its skeleton.
 pub struct Loaded {
@@ -34,6 +35,11 @@ impl SkeletonFile {
         let skeleton = read(path)?.skeleton;
         let skeleton = skeleton.ok_or_else(|| format!("{}: there is no skeleton in it", path.display()))?;
         Ok(Self { path: path.to_owned(), skeleton })
+    }
+
+    /// Reads the skeleton that a whole command was given.
+    pub fn read_if_any(path: Option<&Path>) -> Result<Option<Self>, Refusal> {
+        path.map(Self::read).transpose().map_err(Refusal::Failed)
     }
 }
 
@@ -99,6 +105,14 @@ impl Loaded {
             || "The skeleton (.asf) was not found beside the file".to_owned(),
             |text| format!("No skeleton beside the file fits: {text}"),
         ));
+    }
+
+    /// Returns the names of joints or bones, in file order.
+    pub fn names(&self) -> Vec<String> {
+        match (&self.clip.amc, &self.skeleton) {
+            (None, Some(skeleton)) => skeleton.bones.iter().map(|bone| bone.name.clone()).collect(),
+            _ => self.clip.names(),
+        }
     }
 
     /// Returns how many frames there are.

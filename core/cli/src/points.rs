@@ -40,7 +40,7 @@ pub fn points(clip: &Clip, skeleton: &Skeleton) -> Vec<Point> {
         points.push(Point { name: known.name.clone(), bone, place: Place::Start });
         let end_sites = joints.get(bone).map_or(&[][..], |joint| &joint.end_sites);
         for (number, end_site) in (1..).zip(end_sites) {
-            let plain = ends.get(bone).filter(|name| number == 1 && taken.insert(name));
+            let plain = ends.get(bone).filter(|name| number == 1 && taken.insert(name.as_str()));
             let name = plain.cloned().unwrap_or_else(|| format!("{}_End{number}", known.name));
             points.push(Point { name, bone, place: Place::At(DVec3::from(end_site.offset)) });
         }

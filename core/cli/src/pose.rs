@@ -8,7 +8,7 @@ use crate::console::Console;
 use crate::load::{Loaded, SkeletonFile};
 use crate::points::{points, positions};
 use crate::upright::to_z_up;
-use crate::{report, Outcome, WrongUse};
+use crate::{report, Outcome};
 
 /// The fields of the JSON object; a marker that is not seen has no position.
 #[derive(Debug, Serialize)]
@@ -24,7 +24,7 @@ struct PoseReport {
 
 /// Runs the command.
 pub fn run(options: &PoseOptions, console: &Console) -> Outcome {
-    let skeleton = options.skeleton.as_deref().map(SkeletonFile::read).transpose().map_err(WrongUse)?;
+    let skeleton = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
     let pose = Loaded::read(&options.file, skeleton.as_ref()).and_then(|loaded| pose_at(&loaded, options.frame));
     Ok(report(
         console,
@@ -82,11 +82,11 @@ impl PoseReport {
         let width = self.names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         console.say(&format!("{}: frame {}, metres, Z up", self.path, self.frame));
         for (name, position) in self.names.iter().zip(&self.positions_m) {
-            let text = position.map_or_else(
-                || "  not seen".to_owned(),
-                |position| position.iter().map(|value| format!(" {value:10.4}")).collect(),
-            );
-            if !console.say(&format!("{name:width$}{text}")) {
+            let text = match position {
+                Some([x, y, z]) => format!("{x:10.4} {y:10.4} {z:10.4}"),
+                None => "not seen".to_owned(),
+            };
+            if !console.say(&format!("{name:width$} {text}")) {
                 break;
             }
         }

@@ -40,6 +40,7 @@ pub enum RotationAlignment {
 /// One entry; each field has the name and the values of the add-on's property. What is not in the file has its default.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
+#[allow(clippy::struct_excessive_bools)] // the add-on's own properties, each a box to tick
 pub struct RecipeEntry {
     /// What the user calls it; begins error messages.
     #[serde(skip_serializing_if = "String::is_empty")]
