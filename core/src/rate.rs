@@ -89,14 +89,18 @@ pub fn rate_of_frame_time(seconds: f64) -> Option<FrameRate> {
     let half_digit = 0.5 * last_digit(seconds) * (1.0 + 1e-9);
     let meant = COMMON_RATES_HZ.into_iter().filter(|rate| (1.0 / rate - seconds).abs() <= half_digit);
     // Whole rates stand before their neighbours over 1.001, which are rarer.
-    let nearest = |a: &f64, b: &f64| (a.fract() != 0.0, (a - hz).abs()).partial_cmp(&(b.fract() != 0.0, (b - hz).abs()));
+    let nearest =
+        |a: &f64, b: &f64| (a.fract() != 0.0, (a - hz).abs()).partial_cmp(&(b.fract() != 0.0, (b - hz).abs()));
     let meant: Vec<f64> = meant.collect();
     let Some(hz) = meant.iter().copied().min_by(|a, b| nearest(a, b).unwrap_or(Ordering::Equal)) else {
         return Some(FrameRate { hz, doubt: None });
     };
     let others: Vec<_> = meant.iter().filter(|rate| **rate != hz).map(|rate| format!("{rate:.2}")).collect();
     let doubt = (!others.is_empty()).then(|| {
-        format!("A frame time of {seconds} s is taken as {hz:.2} frames per second; {} would round to it too", others.join(", "))
+        format!(
+            "A frame time of {seconds} s is taken as {hz:.2} frames per second; {} would round to it too",
+            others.join(", ")
+        )
     });
     Some(FrameRate { hz, doubt })
 }

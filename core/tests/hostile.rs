@@ -70,7 +70,7 @@ fn a_motion_cut_at_any_byte_is_refused_unless_whole_frames_are_left() {
 fn what_is_no_motion_capture_is_called_by_its_name() {
     let utf_16: Vec<u8> = [0xFF, 0xFE].into_iter().chain(SKELETON.bytes().flat_map(|byte| [byte, 0])).collect();
     let noise: Vec<u8> = (0..4000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
-    let wanted = "an Acclaim skeleton (.asf) or an Acclaim motion (.amc)";
+    let wanted = "an Acclaim skeleton (.asf), an Acclaim motion (.amc) or a BVH motion (.bvh)";
     let table: [(&str, &[u8], &str, &str); 14] = [
         ("a.bin", b"", wanted, "an empty file"),
         ("a.bin", b"\n \n", wanted, "text of an unknown kind"),

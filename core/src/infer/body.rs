@@ -60,8 +60,11 @@ impl Body {
         let feet = pair(Part::Foot)?;
         let pelvis = common_ancestor(skeleton, feet[0], feet[1])?;
         let thighs = pair(Part::Thigh)?;
-        let [head, neck, tail] = [Part::Head, Part::Neck, Part::Tail].map(|part| parts.get(&(part, Side::Middle)).copied());
-        let leg = feet.iter().zip(thighs).map(|(foot, thigh)| path_length(skeleton, thigh, *foot)).sum::<Option<f64>>()? / 2.0;
+        let [head, neck, tail] =
+            [Part::Head, Part::Neck, Part::Tail].map(|part| parts.get(&(part, Side::Middle)).copied());
+        let leg =
+            feet.iter().zip(thighs).map(|(foot, thigh)| path_length(skeleton, thigh, *foot)).sum::<Option<f64>>()?
+                / 2.0;
         let trunk_to = |joint| trunk_length(skeleton, pelvis, joint);
         let trunk = head.and_then(trunk_to).or(neck.and_then(trunk_to).map(|length| length * TRUNK_PER_NECK));
         Some(Self {
@@ -91,7 +94,7 @@ impl Body {
     /// Returns how tall a person with these bones is, whatever the pose, in file units: by the legs and by all of the body,
     /// in the mean.
     pub(super) fn stature(&self) -> f64 {
-        (self.leg / LEG_SHARE + (self.leg + self.trunk) / LEG_AND_TRUNK_SHARE) / 2.0
+        f64::midpoint(self.leg / LEG_SHARE, (self.leg + self.trunk) / LEG_AND_TRUNK_SHARE)
     }
 }
 

@@ -74,7 +74,6 @@ pub(super) fn classify(name: &str) -> Option<(Part, Side)> {
     (PAIRED.contains(&found.0) == (found.1 != Side::Middle)).then_some(found)
 }
 
-
 fn part_of(word: &str) -> Option<Part> {
     WORDS.iter().find(|(known, _)| *known == word).map(|(_, part)| *part)
 }
@@ -110,7 +109,11 @@ mod tests {
             (Head, Middle, "Head head HEAD mixamorig:Head Character1_Head Bip01_Head"),
             (Neck, Middle, "Neck Neck1 LowerNeck neck NECK#"),
             (Hand, Left, "LeftHand lHand LEFT_HAND# Hand_L J_L_Hand LeftWrist wrist.L lhand"),
-            (Thigh, Right, "RightUpLeg rThigh rfemur RightHip J_R_Hip RIGHT_HIP# upperleg01.R UpLeg_R Bip01_R_Thigh UpperLeg_R"),
+            (
+                Thigh,
+                Right,
+                "RightUpLeg rThigh rfemur RightHip J_R_Hip RIGHT_HIP# upperleg01.R UpLeg_R Bip01_R_Thigh UpperLeg_R",
+            ),
             (Foot, Left, "LeftFoot lfoot LeftAnkle foot.L Foot_L Bip01_L_Foot mixamorig:LeftFoot LEFT_FOOT l_foot"),
             (Toe, Right, "RightToeBase rtoes RightToe Toes_R J_R_Bale toe1-1.R Toe_R"),
             (Tail, Middle, "Tail Tail1 BN_Tail_01"),
@@ -124,7 +127,8 @@ mod tests {
 
     #[test]
     fn names_of_other_joints_mean_nothing() {
-        let names = "Hips hip pelvis LHipJoint LeftLeg lowerback RightInHandIndex LeftHandThumb1 HeadTop_End LeftFootEnd \
+        let names =
+            "Hips hip pelvis LHipJoint LeftLeg lowerback RightInHandIndex LeftHandThumb1 HeadTop_End LeftFootEnd \
             lButtock foot Foot Root levator05.l forehead Ltd";
         for name in names.split_whitespace().chain(["", ":", "   "]) {
             assert_eq!(classify(name), None, "{name}");

@@ -90,7 +90,11 @@ impl<'a> Stances<'a> {
             }
             (Some(axis), Some(rest)) => Answer::unsure(
                 axis,
-                format!("{}: the figure moves upright along it, but its rest pose stands along {}", name(axis), name(rest)),
+                format!(
+                    "{}: the figure moves upright along it, but its rest pose stands along {}",
+                    name(axis),
+                    name(rest)
+                ),
             ),
             (Some(axis), None) if body.is_person() => {
                 Answer::certain(axis, format!("{}: the figure moves upright along it", name(axis)))
@@ -99,9 +103,10 @@ impl<'a> Stances<'a> {
             (None, Some(rest)) if self.frames.is_empty() => {
                 Answer::certain(rest, format!("{}: the rest pose stands along it", name(rest)))
             }
-            (None, Some(rest)) => {
-                Answer::unsure(rest, format!("{}: the rest pose stands along it, but the motion is not upright", name(rest)))
-            }
+            (None, Some(rest)) => Answer::unsure(
+                rest,
+                format!("{}: the rest pose stands along it, but the motion is not upright", name(rest)),
+            ),
             (None, None) => Answer::unsure(USUAL_UP, "Y, as in most files: the figure does not stand"),
         }
     }

@@ -17,9 +17,12 @@ const READINGS: [(f64, bool, &str); 6] = [
 /// Returns the first reading in which `height` is a person's; the first of all, as a guess, if there is none.
 pub(super) fn infer_unit(units: &Units, height: f64) -> LengthUnit {
     let divisor = units.length.unwrap_or(1.0);
-    let readings = READINGS.map(|(metres, is_divided, name)| match is_divided {
-        true if divisor != 1.0 => Reading::new(metres / divisor, format!("{name} / {divisor}")),
-        _ => Reading::new(metres, name),
+    let readings = READINGS.map(|(metres, is_divided, name)| {
+        if is_divided && divisor != 1.0 {
+            Reading::new(metres / divisor, format!("{name} / {divisor}"))
+        } else {
+            Reading::new(metres, name)
+        }
     });
     let plausible = Reading::plausible(&readings, height);
     let (reading, other) = plausible.unwrap_or((&readings[0], None));

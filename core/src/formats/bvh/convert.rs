@@ -57,7 +57,7 @@ impl Bvh {
         }
         let frame_time_s = motion.rate_hz.map(|rate| 1.0 / rate);
         let motion = BvhMotion { frame_time_s, frame_count: motion.frame_count, values };
-        Self { joints, motion: Some(motion), ..Self::default() }
+        Self::new(joints, Some(motion))
     }
 }
 
@@ -110,8 +110,8 @@ impl<'a> Column<'a> {
     fn new(skeleton: &'a Skeleton, motion: &'a Motion, bone: &'a Bone, index: usize) -> Self {
         let samples = motion.bones.get(index);
         let parent = bone.parent.and_then(|parent| Some((skeleton.bones.get(parent)?, motion.bones.get(parent)?)));
-        let growth =
-            parent.map_or((Default::default(), DVec3::ZERO), |(bone, m)| (m.stretches.as_slice(), stretch_direction(bone)));
+        let growth = parent
+            .map_or((Default::default(), DVec3::ZERO), |(bone, m)| (m.stretches.as_slice(), stretch_direction(bone)));
         let translates = |dof: &Dof| matches!(dof, Dof::Translate(_));
         let moves = samples.is_some_and(|samples| !samples.translations.is_empty()) || bone.dofs.iter().any(translates);
         let rotates = |axis: usize| bone.dofs.contains(&Dof::Rotate(axis));
@@ -179,5 +179,9 @@ fn rounded_position(position: f64) -> f64 {
     let steps = 10_f64.powi(POSITION_DIGITS - digits_before);
     let rounded = (position * steps).round() / steps;
     // Far below 1 the number of steps itself is too large.
-    if rounded.is_finite() { rounded } else { position }
+    if rounded.is_finite() {
+        rounded
+    } else {
+        position
+    }
 }

@@ -33,14 +33,14 @@ impl LineFault {
         self.count += 1;
     }
 
-    fn sentence(&self, width: usize, done: &str) -> Option<String> {
-        let others = match self.count {
-            0 => return None,
-            1 => String::new(),
-            more => format!(" (and so have {} lines more)", more - 1),
-        };
-        let Self { first_line, value_count, .. } = self;
-        Some(format!("Line {first_line} has {value_count} values where a frame has {width}{others}: {done}"))
+    /// Returns which lines it is about: "Line 12 (and 3 others like it)".
+    fn lines(&self) -> String {
+        let first = self.first_line;
+        match self.count {
+            0 | 1 => format!("Line {first}"),
+            2 => format!("Line {first} (and another like it)"),
+            count => format!("Line {first} (and {} others like it)", count - 1),
+        }
     }
 }
 
@@ -55,16 +55,28 @@ impl Faults {
         let mut sentences = Vec::new();
         match self.frames {
             Some((Some(declared), found)) => {
-                sentences.push(format!("The file says that it has {declared} frames, but it holds {found}: these are used"));
+                sentences.push(format!("The file says `Frames: {declared}` but holds {found}: these are used"));
             }
-            Some((None, found)) => sentences.push(format!("The file does not say how many frames it has: it holds {found}")),
+            Some((None, found)) => {
+                sentences.push(format!("The file does not say how many frames it has: it holds {found}"));
+            }
             None => {}
         }
-        sentences.extend(self.short.sentence(width, "the frame before it is shown instead"));
-        sentences.extend(self.long.sentence(width, "the values behind them are left out"));
-        if self.left_over > 0 {
-            let left_over = self.left_over;
-            sentences.push(format!("The last frame has {left_over} of {width} values and is left out"));
+        let Self { short, long, left_over, .. } = self;
+        if short.count > 0 {
+            let (lines, count) = (short.lines(), short.value_count);
+            let done = "the frame before it is shown instead";
+            sentences.push(format!("{lines} holds {count} of the {width} values of a frame: {done}"));
+        }
+        if long.count > 0 {
+            let (lines, count) = (long.lines(), long.value_count);
+            sentences
+                .push(format!("{lines} holds {count} values where a frame has {width}: those behind are left out"));
+        }
+        if *left_over > 0 && width == 0 {
+            sentences.push("There are values, but no joint has a channel for them: they are left out".to_owned());
+        } else if *left_over > 0 {
+            sentences.push(format!("The last frame holds {left_over} of its {width} values and is left out"));
         }
         sentences
     }

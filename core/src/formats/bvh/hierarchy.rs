@@ -57,10 +57,9 @@ fn read_tree(tokens: &mut Tokens<'_>, joints: &mut Vec<Joint>) -> Result<(), Par
         } else if word.is("}") {
             return Err(word.unexpected(format_args!("`OFFSET` {}", of_joint())));
         } else if word.is("OFFSET") || word.is("CHANNELS") {
-            return Err(word.problem(
-                format_args!("one `{}` {}", word.text().to_ascii_uppercase(), of_joint()),
-                "a second one",
-            ));
+            return Err(
+                word.problem(format_args!("one `{}` {}", word.text().to_ascii_uppercase(), of_joint()), "a second one")
+            );
         } else {
             return Err(word.unexpected(format_args!("{what} {}", of_joint())));
         }

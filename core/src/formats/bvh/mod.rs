@@ -19,6 +19,8 @@ mod motion;
 mod name;
 mod rows;
 mod skeleton;
+#[cfg(test)]
+mod tests;
 mod tokens;
 mod write;
 
@@ -109,6 +111,11 @@ impl Channel {
 }
 
 impl Bvh {
+    /// Makes what a file would say: joints as they are nested, and rows of as many values as these have channels.
+    pub fn new(joints: Vec<Joint>, motion: Option<BvhMotion>) -> Self {
+        Self { joints, motion, faults: Faults::default() }
+    }
+
     /// Reads what a file says.
     ///
     /// # Errors
@@ -124,11 +131,8 @@ impl Bvh {
             let rows = rows::read(source, tokens.at(), &bvh)?;
             bvh.faults = rows.faults;
             bvh.faults.set_declared(head.frame_count, rows.frame_count);
-            bvh.motion = Some(BvhMotion {
-                frame_time_s: head.frame_time_s,
-                frame_count: rows.frame_count,
-                values: rows.values,
-            });
+            bvh.motion =
+                Some(BvhMotion { frame_time_s: head.frame_time_s, frame_count: rows.frame_count, values: rows.values });
         }
         Ok(bvh)
     }

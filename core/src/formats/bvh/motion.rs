@@ -55,7 +55,9 @@ impl Bvh {
             let more = renamed.len().saturating_sub(MOST_NAMES);
             let and_more = if more > 0 { format!(" and {more} more") } else { String::new() };
             let names = renamed.get(..MOST_NAMES).unwrap_or(&renamed).join(", ");
-            notices.push(format!("Joints whose name is missing or not the only one of its kind are called {names}{and_more}"));
+            notices.push(format!(
+                "Joints whose name is missing or not the only one of its kind are called {names}{and_more}"
+            ));
         }
         let Some(motion) = &self.motion else {
             notices.push("The file holds a hierarchy and no motion".to_owned());

@@ -1,7 +1,7 @@
 //! Names: read by the line, made unique for the [`Skeleton`](crate::Skeleton), and made fit for a line again.
 
 use super::tokens::{is_space, Tokens};
-use crate::text::decode;
+use crate::text::{decode, skip_blanks};
 use std::collections::{HashMap, HashSet};
 
 /// What a joint without a name is called in a skeleton.
@@ -12,8 +12,9 @@ const NAMELESS: &str = "joint";
 /// `JOINT Left Arm {` and `JOINT Left Arm{` name the joint `Left Arm`. Other braces are part of the name.
 pub(super) fn read_name(tokens: &mut Tokens<'_>) -> String {
     let rest = tokens.rest();
-    let ends = |at: &usize| matches!(rest.get(*at), None | Some(b'\n' | b'\r')) || is_lone_brace(rest, *at);
-    let end = (0..rest.len()).find(ends).unwrap_or(rest.len());
+    let start = rest.len() - skip_blanks(rest).len();
+    let ends = |at: &usize| matches!(rest.get(*at), Some(b'\n' | b'\r')) || is_lone_brace(rest, *at, start);
+    let end = (start..rest.len()).find(ends).unwrap_or(rest.len());
     let mut name = trim(rest.get(..end).unwrap_or_default());
     let mut behind = tokens.clone();
     behind.advance(end);
@@ -28,11 +29,11 @@ pub(super) fn read_name(tokens: &mut Tokens<'_>) -> String {
     decode(name)
 }
 
-/// Returns whether a brace stands there that is a word by itself.
-fn is_lone_brace(text: &[u8], at: usize) -> bool {
+/// Returns whether a brace stands there that is a word by itself, or where the name would begin.
+fn is_lone_brace(text: &[u8], at: usize, start: usize) -> bool {
     let is_free = |byte: Option<&u8>| byte.is_none_or(|byte| is_space(*byte));
     let before = at.checked_sub(1).and_then(|before| text.get(before));
-    text.get(at) == Some(&b'{') && is_free(before) && is_free(text.get(at + 1))
+    text.get(at) == Some(&b'{') && is_free(before) && (at == start || is_free(text.get(at + 1)))
 }
 
 /// Returns a name of its own for each, and which were changed. `.001` and so on sets the later ones apart.
@@ -63,12 +64,10 @@ pub(super) fn unique_names<'a>(names: impl Iterator<Item = &'a str> + Clone) -> 
 
 /// Returns a name as a line of a file can hold it: no line ends, no outer blanks, no brace that would open the joint.
 pub(super) fn name_for_file(name: &str) -> String {
-    let mut line: Vec<u8> = name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }).collect();
-    let lone: Vec<usize> = (0..line.len()).filter(|at| is_lone_brace(&line, *at)).collect();
-    for at in lone {
-        line[at] = b'(';
-    }
-    decode(trim(&line))
+    let line: Vec<u8> = name.bytes().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { byte }).collect();
+    let line = trim(&line);
+    let fit = |at| if is_lone_brace(line, at, 0) { b'(' } else { line[at] };
+    decode(&(0..line.len()).map(fit).collect::<Vec<_>>())
 }
 
 fn trim(line: &[u8]) -> &[u8] {
@@ -92,6 +91,7 @@ mod tests {
             ("a{b} (c) [d] #e", "a{b} (c) [d] #e"),
             ("\n{", ""),
             ("{", ""),
+            (" {a}", ""),
             (" \u{fc}\n", "\u{fc}"),
         ] {
             assert_eq!(read_name(&mut Tokens::new(line.as_bytes())), name, "{line:?}");
@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn any_name_fits_into_a_line() {
-        for name in ["a\nb", " a ", "a {", "{", "a{", "\t", "}"] {
+        for name in ["a\nb", " a ", "a {", "{", "{{", "{b c}", "a{", "\t", "}"] {
             let written = name_for_file(name);
             assert_eq!(read_name(&mut Tokens::new(format!("{written}\n{{").as_bytes())), written, "{name:?}");
         }

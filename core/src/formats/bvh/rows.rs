@@ -160,7 +160,7 @@ impl fmt::Display for ValueAt<'_> {
         let mut columns = joints.flat_map(|joint| joint.channels.iter().map(move |channel| (joint, channel)));
         match self.column.checked_rem(self.bvh.width()).and_then(|column| columns.nth(column)) {
             Some((joint, channel)) => write!(f, "a number for `{}` of joint `{}`", channel.word(), joint.name),
-            None => f.write_str("the end of the file, for no joint has a channel"),
+            None => f.write_str("a number"),
         }
     }
 }
@@ -190,10 +190,11 @@ fn line_by_line(values: &[f64], lines: &[Line], width: usize) -> Rows {
             open = Some(whole);
             continue;
         }
-        if whole.count % width != 0 {
-            rows.faults.long.add(whole.number, whole.count);
+        let mut count = whole.count;
+        if !count.is_multiple_of(width) {
+            rows.faults.long.add(whole.number, count);
+            count = width;
         }
-        let count = if whole.count % width == 0 { whole.count } else { width };
         rows.values.extend(values.iter().skip(whole.start).take(count));
     }
     rows.faults.left_over = open.map_or(0, |line| line.count);

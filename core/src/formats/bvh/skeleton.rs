@@ -60,7 +60,8 @@ pub(super) fn tails(joints: &[Joint]) -> Vec<DVec3> {
             fan.add(DVec3::from(joint.offset), joint_count);
         }
     }
-    let end_site = |joint: &Joint| joint.end_sites.iter().map(|end| DVec3::from(end.offset)).find(|at| *at != DVec3::ZERO);
+    let end_site =
+        |joint: &Joint| joint.end_sites.iter().map(|end| DVec3::from(end.offset)).find(|at| *at != DVec3::ZERO);
     joints.iter().zip(fans).map(|(joint, fan)| end_site(joint).unwrap_or_else(|| fan.tail())).collect()
 }
 

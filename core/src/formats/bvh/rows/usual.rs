@@ -55,7 +55,7 @@ fn split_at_lines(text: &[u8]) -> Vec<&[u8]> {
 
 /// Returns how many lines there are, blank ones too.
 fn count_lines(text: &[u8]) -> usize {
-    let ends = text.iter().filter(|byte| **byte == b'\n').count();
+    let ends = text.iter().map(|byte| usize::from(*byte == b'\n')).sum::<usize>();
     ends + usize::from(!matches!(text.last(), None | Some(b'\n')))
 }
 
