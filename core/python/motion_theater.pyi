@@ -6,10 +6,38 @@ Euler orders are Blender's: "XYZ" turns about X first, then Y, then Z, about fix
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import Literal
+from typing import Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
+
+__all__ = [
+    "AnalogChannel",
+    "BaseChannel",
+    "Clip",
+    "Evaluation",
+    "Event",
+    "Filter",
+    "Markers",
+    "MisfitError",
+    "Motion",
+    "MotionTheaterError",
+    "Notice",
+    "ParameterError",
+    "ParseError",
+    "ResultChannel",
+    "Rig",
+    "Skeleton",
+    "Track",
+    "__version__",
+    "digest",
+    "evaluate",
+    "filter_rotations",
+    "filter_values",
+    "main",
+    "read",
+    "read_bytes",
+]
 
 __version__: str
 
@@ -36,6 +64,7 @@ class MisfitError(MotionTheaterError, ValueError):
 class ParameterError(MotionTheaterError, ValueError):
     """A number or combination that was asked for makes no sense."""
 
+@final
 class Skeleton:
     """Names, hierarchy and rest pose, in the file's own axes and units. Parents come before children."""
 
@@ -63,6 +92,7 @@ class Skeleton:
     height: float
     """Extent of the rest pose along `up`, in file units."""
 
+@final
 class Motion:
     """Channels over frames, for the bones of one skeleton or of one host armature."""
 
@@ -94,6 +124,7 @@ class Motion:
         for Euler angles of that order for bone i: the file's own numbers where the axes agree.
         """
 
+@final
 class Event:
     """Something that happened at a moment."""
 
@@ -106,6 +137,7 @@ class Event:
     frame: float | None
     """The file's own number, not always whole; None where the file has no rate."""
 
+@final
 class AnalogChannel:
     """One signal that was recorded beside the markers."""
 
@@ -117,6 +149,7 @@ class AnalogChannel:
     samples: Floats
     """(samples,) in the channel's unit; a new array each time."""
 
+@final
 class Markers:
     """Named points over frames, in the file's own axes and units."""
 
@@ -179,11 +212,12 @@ class Markers:
     ) -> bytes:
         """A new file. A CSM is in millimetres and Z up; `processor` and `storage` are for C3D."""
 
+@final
 class Clip:
     """What one file holds."""
 
     path: str
-    format: Literal["asf", "amc", "c3d", "csm", "trc"]
+    format: Literal["asf", "amc", "bvh", "c3d", "csm", "trc"]
     notices: list[str]
     """What is odd in the file, and what was inferred."""
     names: list[str]
@@ -227,11 +261,12 @@ def filter_values(values: Floats, *, kind: FilterKind, depth: int) -> Floats:
 def filter_rotations(values: Floats, *, kind: FilterKind, depth: int) -> Floats:
     """Filter (bones, frames, 4) quaternions as rotations."""
 
+@final
 class Rig:
     """The armature a stack is evaluated for: bones in the host's order and its rest pose in armature space."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         names: Sequence[str],
         *,
         rest_rotations: Floats,
@@ -242,19 +277,20 @@ class Rig:
         rate_hz: float,
         file_axes: Floats | None = None,
         file_orders: Sequence[str] | None = None,
-    ) -> None:
+    ) -> Rig:
         """`modes[i]` is "QUATERNION" or an Euler order; `rate_hz` the scene's. `file_axes` (bones, 4), from the file's
         bone axes to the host bone's rest axes, and `file_orders`: the angles in which "Linear (Euler)" blends on
         quaternion bones."""
 
+@final
 class Track:
     """A clip on some bones, with its cut, scale and blend. Frames that are None are not set."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         motion: Motion,
         *,
-        label: str = "",
+        label: str = ...,
         bones: Sequence[int] | None = None,
         cut_start: int | None = None,
         cut_end: int | None = None,
@@ -269,41 +305,44 @@ class Track:
         sampling: Literal["LINEAR", "SMOOTH"] = "LINEAR",
         keys: Literal["FRAMES", "SAMPLES"] = "FRAMES",
         rate_hz: float | None = None,
-    ) -> None:
+    ) -> Track:
         """`motion` comes from `Motion.in_rest_axes` for the same bones as the rig. `bones` None: all.
         `keys`: on whole scene frames, or one per sample of the file on sub-frames. `rate_hz`: where the file's own
         is missing or wrong."""
 
+@final
 class Filter:
     """A filter on some bones."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         *,
         kind: FilterKind,
         depth: int,
-        label: str = "",
+        label: str = ...,
         bones: Sequence[int] | None = None,
         channels: Literal["ROTATION", "CHANNELS"] = "ROTATION",
-    ) -> None: ...
+    ) -> Filter: ...
 
+@final
 class BaseChannel:
     """What one channel of one bone held before the first entry: "rotation_quaternion", "rotation_euler" or "location".
 
-    `frames` ascend; `values` is (frames, 4) or (frames, 3). Where the host's keys are sparse, give what is seen on every
-    whole frame between them too and mark in `is_key` where a key really stands: the result then replaces as much of the
-    curve as is needed for its shape outside the tracks to stay what it was.
+    `frames` ascend; `values` is (frames, 4) or (frames, 3). Where the host's keys are sparse, give what is seen on
+    every whole frame between them too and mark in `is_key` where a key really stands: the result then replaces as much
+    of the curve as is needed for its shape outside the tracks to stay what it was.
     """
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         bone: int,
         channel: str,
         frames: Floats,
         values: Floats,
         is_key: NDArray[np.bool_] | None = None,
-    ) -> None: ...
+    ) -> BaseChannel: ...
 
+@final
 class ResultChannel:
     """What one channel of one bone became. Outside `start`..`end` the base's own keys stay as they are."""
 
@@ -317,11 +356,13 @@ class ResultChannel:
     interpolation: NDArray[np.int32] | None
     """Per key 0 constant, 1 linear, 2 Bezier (Blender's numbers); None where all are linear."""
 
+@final
 class Notice:
     entry: int
     """Index of the entry it is about."""
     text: str
 
+@final
 class Evaluation:
     channels: list[ResultChannel]
     """Only channels that an entry touches."""
@@ -335,3 +376,6 @@ def evaluate(rig: Rig, base: Sequence[BaseChannel], entries: Sequence[Track | Fi
 
 def digest(arrays: Sequence[NDArray[np.float32]]) -> str:
     """A short hash of float32 arrays, to notice curves that were edited by hand."""
+
+def main() -> int:
+    """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

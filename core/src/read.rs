@@ -3,6 +3,7 @@
 use crate::error::{MisfitError, ParseError, ReadError};
 use crate::formats::amc::Amc;
 use crate::formats::asf::Asf;
+use crate::formats::bvh::Bvh;
 use crate::formats::c3d::C3d;
 use crate::formats::csm::Csm;
 use crate::formats::kind::{recognise, Kind};
@@ -21,6 +22,8 @@ pub enum Format {
     Asf,
     /// Acclaim motion.
     Amc,
+    /// Biovision hierarchy, with or without motion.
+    Bvh,
     /// Markers and analog signals in binary.
     C3d,
     /// Markers of Character Studio.
@@ -30,8 +33,14 @@ pub enum Format {
 }
 
 /// Every format with its extension, in lower case.
-const FORMATS: [(Format, &str); 5] =
-    [(Format::Asf, "asf"), (Format::Amc, "amc"), (Format::C3d, "c3d"), (Format::Csm, "csm"), (Format::Trc, "trc")];
+const FORMATS: [(Format, &str); 6] = [
+    (Format::Asf, "asf"),
+    (Format::Amc, "amc"),
+    (Format::Bvh, "bvh"),
+    (Format::C3d, "c3d"),
+    (Format::Csm, "csm"),
+    (Format::Trc, "trc"),
+];
 
 impl Format {
     /// Returns the format's extension in lower case, without a dot.
@@ -39,15 +48,23 @@ impl Format {
         FORMATS.iter().find(|(format, _)| *format == self).map_or("", |(_, extension)| extension)
     }
 
+    /// Returns the format of an extension, in either case and without a dot.
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
+    }
+
+    /// Returns the extensions of all formats in words: "asf, amc, bvh".
+    pub fn list() -> String {
+        FORMATS.map(|(_, extension)| extension).join(", ")
+    }
+
     /// Returns what the bytes are by their content, or else by the extension of `name`.
     fn of(source: &[u8], name: &Path) -> Option<Self> {
-        let by_extension = || {
-            let extension = name.extension()?.to_str()?;
-            FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
-        };
+        let by_extension = || Self::from_extension(name.extension()?.to_str()?);
         match recognise(source) {
             Some(Kind::Asf) => Some(Self::Asf),
             Some(Kind::Amc) => Some(Self::Amc),
+            Some(Kind::Bvh) => Some(Self::Bvh),
             Some(Kind::C3d) => Some(Self::C3d),
             Some(Kind::Csm) => Some(Self::Csm),
             Some(Kind::Trc) => Some(Self::Trc),
@@ -58,6 +75,7 @@ impl Format {
 
 /// What one file holds. What a format does not have is `None`.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Clip {
     /// What kind of file it is.
     pub format: Format,
@@ -65,6 +83,8 @@ pub struct Clip {
     pub asf: Option<Asf>,
     /// What the file says, where it is an Acclaim motion.
     pub amc: Option<Amc>,
+    /// What the file says, where it is a BVH.
+    pub bvh: Option<Bvh>,
     /// What the file says, where it is a C3D.
     pub c3d: Option<C3d>,
     /// What the file says, where it is a CSM.
@@ -87,6 +107,7 @@ impl Clip {
             format,
             asf: None,
             amc: None,
+            bvh: None,
             c3d: None,
             csm: None,
             trc: None,
@@ -111,7 +132,8 @@ impl Clip {
         let csm = || self.csm.as_ref().map(Csm::to_bytes);
         let trc = || self.trc.as_ref().map(Trc::to_bytes);
         let amc = || self.amc.as_ref().map(Amc::to_bytes);
-        asf.or_else(amc).or_else(c3d).or_else(csm).or_else(trc).unwrap_or_default()
+        let bvh = || self.bvh.as_ref().map(Bvh::to_bytes);
+        asf.or_else(amc).or_else(bvh).or_else(c3d).or_else(csm).or_else(trc).unwrap_or_default()
     }
 
     /// Returns the names of the bones or markers, in file order.
@@ -128,8 +150,9 @@ impl Clip {
 
     /// Returns how many frames of motion there are.
     pub fn frame_count(&self) -> usize {
+        let of_bvh = || self.bvh.as_ref()?.motion.as_ref().map(|motion| motion.frame_count);
         let of_markers = || self.markers.as_ref().map(|markers| markers.frame_count());
-        self.amc.as_ref().map(|amc| amc.frame_count).or_else(of_markers).unwrap_or(0)
+        self.amc.as_ref().map(|amc| amc.frame_count).or_else(of_bvh).or_else(of_markers).unwrap_or(0)
     }
 
     /// Returns the file's own number of the first frame; 1 without motion.
@@ -140,16 +163,18 @@ impl Clip {
 
     /// Returns the frames per second; `None` where the file does not say.
     pub fn rate_hz(&self) -> Option<f64> {
+        let of_bvh = || self.bvh.as_ref()?.motion.as_ref()?.rate_hz();
         let of_markers = || self.markers.as_ref()?.rate_hz;
-        self.amc.as_ref().and_then(|amc| amc.header.rate_hz).or_else(of_markers)
+        self.amc.as_ref().and_then(|amc| amc.header.rate_hz).or_else(of_bvh).or_else(of_markers)
     }
 
-    /// Returns the motion on a skeleton, with what the user should know.
+    /// Returns the motion of an AMC on a skeleton, with what the user should know.
     ///
     /// # Errors
-    /// Where the file has no motion, or one of other bones.
+    /// Where the file has no motion, one of other bones, or one with a skeleton of its own.
     pub fn bind(&self, skeleton: &Skeleton) -> Result<(Motion, Vec<String>), MisfitError> {
-        let no_motion = || MisfitError { bones: vec!["the file has no motion".to_owned()] };
+        let why = if self.bvh.is_some() { "the file has a skeleton of its own" } else { "the file has no motion" };
+        let no_motion = || MisfitError { bones: vec![why.to_owned()] };
         self.amc.as_ref().ok_or_else(no_motion)?.motion(skeleton)
     }
 }
@@ -182,6 +207,7 @@ pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Re
             let amc = Amc::parse(source).map_err(wrong)?;
             amc_clip(amc, skeleton).map_err(|error| ReadError::Misfit { path: PathBuf::from(name), error })
         }
+        Some(Format::Bvh) => Ok(bvh_clip(Bvh::parse(source).map_err(wrong)?)),
         Some(Format::C3d) => c3d_clip(source.to_vec(), name),
         Some(Format::Csm) => Ok(csm_clip(Csm::parse(source).map_err(wrong)?)),
         Some(Format::Trc) => Ok(trc_clip(Trc::parse(source).map_err(wrong)?)),
@@ -223,8 +249,18 @@ fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> 
     Ok(Clip { amc: Some(amc), motion, notices, ..Clip::new(Format::Amc) })
 }
 
+fn bvh_clip(bvh: Bvh) -> Clip {
+    let (skeleton, motion) = bvh.skeleton_and_motion();
+    let mut notices = bvh.notices();
+    notices.push(format!("Length unit: {}", skeleton.unit.reason));
+    if skeleton.up != glam::DVec3::Y {
+        notices.push("Up axis: the figure does not stand along Y".to_owned());
+    }
+    Clip { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Clip::new(Format::Bvh) }
+}
+
 fn unknown(source: &[u8]) -> ParseError {
-    let expected = "an Acclaim skeleton (.asf), an Acclaim motion (.amc) or a marker file (.c3d, .csm, .trc)";
+    let expected = "an Acclaim skeleton (.asf), a motion (.amc, .bvh) or markers (.c3d, .csm, .trc)";
     let found = match recognise(source) {
         _ if source.is_empty() => "an empty file".to_owned(),
         Some(kind) => kind.to_string(),

@@ -201,6 +201,28 @@ pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\x0B' | b'\x0C')
 }
 
+/// Returns the text behind blanks at its start.
+#[inline]
+pub(crate) fn skip_blanks(mut text: &[u8]) -> &[u8] {
+    while let [byte, rest @ ..] = text {
+        if !is_blank(*byte) {
+            break;
+        }
+        text = rest;
+    }
+    text
+}
+
+/// Returns the text behind blanks and one line end, or at the end of the file; `None` where the line goes on.
+#[inline]
+pub(crate) fn end_of_line(text: &[u8]) -> Option<&[u8]> {
+    match skip_blanks(text) {
+        [b'\r', b'\n', rest @ ..] | [b'\n' | b'\r', rest @ ..] => Some(rest),
+        [] => Some(&[]),
+        _ => None,
+    }
+}
+
 /// Returns the error at byte `at` of `source`.
 pub(crate) fn error_at(source: &[u8], at: usize, expected: impl Display, found: impl Display) -> ParseError {
     ParseError { position: position(source, at), expected: expected.to_string(), found: found.to_string() }

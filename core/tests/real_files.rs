@@ -4,8 +4,11 @@ use motion_theater_core::formats::{amc::Amc, asf::Asf};
 use motion_theater_core::read::{read_path, Format};
 use std::path::{Path, PathBuf};
 
-/// Every skeleton with its motions: file, bones, frames.
-const FILES: [(&str, usize, &[(&str, usize)]); 5] = [
+/// A motion and its frames.
+type MotionFile = (&'static str, usize);
+
+/// Every skeleton with its bones and its motions.
+const FILES: [(&str, usize, &[MotionFile]); 5] = [
     ("cmu01/01.asf", 30, &[("cmu01/01_01.amc", 2751)]),
     ("cmu02/02.asf", 30, &[("cmu02/02_03.amc", 173), ("cmu02/02_04.amc", 483)]),
     ("cmu09/09-run.asf", 30, &[("cmu09/09_06-run.amc", 141)]),

@@ -151,7 +151,7 @@ def sole(pose: Pose, side: str) -> Floats:
     )
 
 
-def carry(plan: Plan, centre: Floats, axes: tuple[int, ...] = (0, 1, 2), rounds: int = 24) -> Dofs:
+def carry(plan: Plan, centre: Floats, axes: tuple[int, ...] = (0, 1, 2), rounds: int = 14) -> Dofs:
     """Move the hips until the body's centre of mass follows `centre` on `axes`; planted feet stay where they are."""
     columns = list(axes)
     plan.root = plan.root.copy()

@@ -42,9 +42,10 @@ CLIPS: dict[str, Clip] = {
             Spike(21, "lradius", "rx", 16.0),
             Spike(38, "rhumerus", "rz", -12.0),
             Spike(59, "rradius", "rx", 20.0),
-            Spike(80, "lhumerus", "rx", 14.0),
+            Spike(80, "lhumerus", "rz", -9.0),
             Spike(83, "rhand", "rx", -22.0),
-            Spike(97, "lwrist", "ry", 18.0),
+            Spike(95, "lwrist", "ry", 18.0),
+            Spike(101, "rradius", "rx", 25.0),
         ),
     ),
     "wave": Clip(

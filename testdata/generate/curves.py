@@ -19,13 +19,15 @@ def spline(times: Floats, keys: Sequence[tuple[float, float]]) -> Floats:
     size = len(knots)
     system = np.eye(size)
     wanted = np.zeros(size)
-    for i in range(1, size - 1):
-        system[i, i - 1 : i + 2] = steps[i], 2 * (steps[i - 1] + steps[i]), steps[i - 1]
-        wanted[i] = 3 * (steps[i] * slopes[i - 1] + steps[i - 1] * slopes[i])
-    velocities = np.linalg.solve(system, wanted)
+    for k in range(1, size - 1):
+        system[k, k - 1 : k + 2] = steps[k], 2 * (steps[k - 1] + steps[k]), steps[k - 1]
+        wanted[k] = 3 * (steps[k] * slopes[k - 1] + steps[k - 1] * slopes[k])
+    velocities: Floats = np.linalg.solve(system, wanted).astype(float)
     x = np.clip(times, knots[0], knots[-1])
     i = np.clip(np.searchsorted(knots, x, side="right") - 1, 0, size - 2)
-    return hermite((x - knots[i]) / steps[i], values[i], values[i + 1], velocities[i] * steps[i], velocities[i + 1] * steps[i])
+    return hermite(
+        (x - knots[i]) / steps[i], values[i], values[i + 1], velocities[i] * steps[i], velocities[i + 1] * steps[i]
+    )
 
 
 def hermite(u: Floats, start: Floats, end: Floats, leave: Floats, arrive: Floats) -> Floats:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,6 +59,10 @@ class Stance:
     """Seconds from first contact to the flat sole."""
     roll: float = 0.25
     """Seconds over which the heel rises before the release."""
+    lift: float = 0.03
+    """By how much the foot is raised on its way here, in metres."""
+    drop: float = 0.0
+    """How fast the foot falls onto the floor, in metres a second."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +101,8 @@ def _toe_lift(pitch: Floats) -> Floats:
     excess = -pitch - TOE_BEND_LIMIT
     soft = 0.5 * (excess + np.hypot(excess, TOE_BEND_SOFTNESS))
     none = 0.5 * (-TOE_BEND_LIMIT + np.hypot(TOE_BEND_LIMIT, TOE_BEND_SOFTNESS))
-    return np.maximum(soft - none, 0.0)
+    lift: Floats = np.maximum(soft - none, 0.0)
+    return lift
 
 
 def _stance_ankle(stance: Stance, times: Floats, pitch: Floats) -> Floats:
@@ -118,11 +124,12 @@ def _swing_toes(u: Floats, before: Stance, after: Stance, ball_height: Floats, p
     bend = (-leaving - _toe_lift(leaving)) * (1 - ease(u, 0.0, 0.45))
     bend = bend + max(-np.radians(after.strike_pitch), 0.0) * ease(u, 0.6, 1.0)
     lowest = -np.arcsin(np.clip(ball_height / TOES_M, 0.0, 1.0))
-    return np.maximum(pitch + bend, lowest) - pitch
+    held: Floats = np.maximum(pitch + bend, lowest)
+    return held - pitch
 
 
-def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03) -> FootPath:
-    """The foot through its stances, in order; between two of them it swings, raised by about `lift` metres."""
+def path(times: Floats, stances: Sequence[Stance], seed: str) -> FootPath:
+    """The foot through its stances, in order; between two of them it swings."""
     count = len(times)
     ankle, pitch, bend = np.zeros((count, 3)), np.zeros(count), np.zeros(count)
     heading = np.zeros(count)
@@ -134,7 +141,7 @@ def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03
         heading[now] = np.radians(stance.heading)
         bend[now] = np.maximum(-pitch[now], 0.0) - _toe_lift(pitch[now])
         planted |= now
-    for before, after in zip(stances, stances[1:], strict=False):
+    for before, after in pairwise(stances):
         now = (times > before.release) & (times < after.strike)
         duration = after.strike - before.release
         u = (times[now] - before.release) / duration
@@ -144,10 +151,11 @@ def path(times: Floats, stances: Sequence[Stance], seed: str, lift: float = 0.03
         ankles = _stance_ankle(before, ends[0], pitches[0]), _stance_ankle(after, ends[1], pitches[1])
         rates = [np.diff(pair, axis=0)[0] / STEP_S * duration for pair in (*pitches, *ankles)]
         rates[3] = rates[3] + TOUCHDOWN * (ankles[1][0] - ankles[0][1])
+        rates[3][1] -= after.drop * duration
         pitch[now] = hermite(u, pitches[0][1], pitches[1][0], rates[0] * 0.6, rates[1])
         column = u[:, None]
         ankle[now] = hermite(column, ankles[0][1], ankles[1][0], rates[2], rates[3])
-        ankle[now, 1] += lift * 64 * (u * (1 - u)) ** 3
+        ankle[now, 1] += after.lift * 64 * (u * (1 - u)) ** 3
         turn = ease(u, 0.05, 0.95)
         heading[now] = np.radians(before.heading + (after.heading - before.heading) * turn)
         ball_height = ankle[now, 1] + FOOT_M * np.sin(pitch[now] - SLOPE) - SOLE_M

@@ -39,6 +39,7 @@ def walk(times: Floats) -> Dofs:
                 release_pitch=-66.0 + 2.0 * variation[k, 3],
                 settle=0.12,
                 roll=0.37,
+                lift=0.012,
             )
         )
 
@@ -55,7 +56,7 @@ def walk(times: Floats) -> Dofs:
         axis=-1,
     )
     tilt = 4.0 + 1.2 * np.cos(stride - 0.3)
-    lift = 3.6 * np.sin(half - 0.05) + 0.5 * np.sin(3 * half)
+    side_tilt = 3.6 * np.sin(half - 0.05) + 0.5 * np.sin(3 * half)
     arms = {}
     for side, s in (("l", 1), ("r", -1)):
         arm = hanging_arm(times)
@@ -79,14 +80,14 @@ def walk(times: Floats) -> Dofs:
         root=root,
         heading=-5.0 * np.cos(half - 0.1) + wander(times, "walk heading", 0.8, 4.0),
         tilt=tilt,
-        list=lift,
+        list=side_tilt,
         bend=0.5 - 1.0 * np.cos(stride - 0.3),
         twist=9.5 * np.cos(half - 0.25),
-        lean=-0.85 * lift + 1.2 * np.sin(half - 0.4),
+        lean=-0.85 * side_tilt + 1.2 * np.sin(half - 0.4),
         gaze_side=wander(times, "walk gaze side", 4.0, 3.5),
         gaze_down=4.0 + wander(times, "walk gaze down", 2.0, 4.0),
         arms=arms,
-        feet={side: feet.path(times, stances[side], f"walk {side}", lift=0.012) for side in ("l", "r")},
+        feet={side: feet.path(times, stances[side], f"walk {side}") for side in ("l", "r")},
     )
     return solve(plan)
 
@@ -103,4 +104,5 @@ def _smooth_through(times: Floats, knots: Floats, values: Floats) -> Floats:
     mean_v = (window * values).sum(axis=1) / weight
     dt = knots[None, :] - mean_t[:, None]
     slope = (window * dt * (values[None, :] - mean_v[:, None])).sum(axis=1) / (window * dt**2).sum(axis=1)
-    return mean_v + slope * (times - mean_t)
+    curve: Floats = mean_v + slope * (times - mean_t)
+    return curve

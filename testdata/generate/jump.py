@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from . import feet
@@ -16,20 +18,25 @@ TAKE_OFF_S = 1.08
 LANDING_S = 1.44
 STEP_M = 0.36
 JUMP_M = 0.46
+BEFORE_S, AFTER_S = -9.0, 9.0
+"""Before the clip begins and after it ends."""
+
+TILT = ((0.0, 3.0), (0.45, 6.0), (0.84, 27.0), (1.08, 3.0), (1.25, -3.0), (1.45, 9.0), (1.63, 24.0), (1.87, 8.0))
+BEND = ((0.0, 2.0), (0.45, 7.0), (0.84, 34.0), (1.1, -3.0), (1.25, -2.0), (1.45, 12.0), (1.65, 32.0), (1.87, 12.0))
 
 
 def step_and_jump(times: Floats) -> Dofs:
     """The clip, along +Z."""
-    paths = {side: feet.path(times, _stances(side), f"jump {side}", lift=0.05) for side in ("l", "r")}
+    paths = {side: feet.path(times, _stances(side), f"jump {side}") for side in ("l", "r")}
     ground = feet.support(times, paths["l"], paths["r"])
     plan = Plan(
         seed="jump",
         times=times,
         root=np.stack([ground[:, 0], np.full(len(times), 1.01), ground[:, 2]], axis=-1),
         heading=spline(times, [(0.0, 0.0), (0.25, 5.0), (0.6, -3.0), (0.85, 0.0), (1.4, 1.0), (1.87, 0.0)]),
-        tilt=spline(times, [(0.0, 3.0), (0.45, 6.0), (0.84, 27.0), (1.08, 3.0), (1.25, -3.0), (1.45, 9.0), (1.63, 24.0), (1.87, 8.0)]),
+        tilt=spline(times, TILT),
         list=spline(times, [(0.0, 0.0), (0.25, 2.5), (0.6, -2.5), (0.85, 0.0), (1.3, 0.8), (1.6, -0.6), (1.87, 0.0)]),
-        bend=spline(times, [(0.0, 2.0), (0.45, 7.0), (0.84, 34.0), (1.1, -3.0), (1.25, -2.0), (1.45, 12.0), (1.65, 32.0), (1.87, 12.0)]),
+        bend=spline(times, BEND),
         twist=spline(times, [(0.0, 0.0), (0.25, -7.0), (0.6, 5.0), (0.85, 0.0), (1.3, -1.5), (1.87, 1.0)]),
         lean=spline(times, [(0.0, 0.0), (0.25, -3.0), (0.6, 3.0), (0.85, 0.0), (1.3, -0.8), (1.6, 0.8), (1.87, 0.0)]),
         gaze_side=spline(times, [(0.0, 0.0), (0.5, 2.0), (1.2, -2.0), (1.87, 0.0)]),
@@ -42,22 +49,42 @@ def step_and_jump(times: Floats) -> Dofs:
 
 
 def _stances(side: str) -> list[Stance]:
+    """The right foot steps first, the left follows, both jump."""
     s = 1 if side == "l" else -1
-    before = {
-        "r": [
-            Stance(-9.0, 0.13, -0.09, 0.0, -5.0, release_pitch=-38.0, roll=0.13),
-            Stance(0.43, TAKE_OFF_S, -0.095, STEP_M + 0.01, -6.0, strike_pitch=12.0, release_pitch=-60.0, settle=0.09, roll=0.24),
-        ],
-        "l": [
-            Stance(-9.0, 0.47, 0.09, 0.0, 5.0, release_pitch=-50.0, roll=0.26),
-            Stance(0.75, TAKE_OFF_S, 0.095, STEP_M, 6.0, strike_pitch=5.0, release_pitch=-60.0, settle=0.07, roll=0.24),
-        ],
-    }[side]
-    late = 0.012 if side == "l" else 0.0
-    landing = Stance(
-        LANDING_S + late, 9.0, s * 0.11, STEP_M + JUMP_M + 0.01 * s, s * 8.0, strike_pitch=-24.0, settle=0.11
+    left = side == "l"
+    start = Stance(
+        strike=BEFORE_S,
+        release=0.47 if left else 0.13,
+        x=s * 0.09,
+        z=0.0,
+        heading=s * 5.0,
+        release_pitch=-50.0 if left else -38.0,
+        roll=0.26 if left else 0.13,
     )
-    return [*before, landing]
+    step = Stance(
+        strike=0.75 if left else 0.43,
+        release=TAKE_OFF_S,
+        x=s * 0.095,
+        z=STEP_M - s * 0.005,
+        heading=s * 6.0,
+        strike_pitch=5.0 if left else 12.0,
+        release_pitch=-60.0,
+        settle=0.08,
+        roll=0.24,
+        lift=0.05,
+    )
+    landing = Stance(
+        strike=LANDING_S + (0.012 if left else 0.0),
+        release=AFTER_S,
+        x=s * 0.11,
+        z=STEP_M + JUMP_M + s * 0.01,
+        heading=s * 8.0,
+        strike_pitch=-24.0,
+        settle=0.11,
+        lift=0.11,
+        drop=1.2,
+    )
+    return [start, step, landing]
 
 
 def _arm(times: Floats, side: str) -> Arm:
@@ -69,10 +96,9 @@ def _arm(times: Floats, side: str) -> Arm:
     def keyed(*keys: tuple[float, float]) -> Floats:
         return spline(times - late, list(keys))
 
-    arm.flexion = keyed(
-        (-0.1, 4.0), (0.25, 4.0 + 15.0 * s), (0.52, 8.0 - 6.0 * s), (0.82, -52.0), (1.12, 96.0), (1.26, 116.0),
-        (1.47, 58.0), (1.68, 4.0), (1.9, 14.0),
-    )  # fmt: skip
+    with_steps = ((-0.1, 4.0), (0.25, 4.0 + 15.0 * s), (0.52, 8.0 - 6.0 * s))
+    with_jump = ((0.82, -52.0), (1.12, 96.0), (1.26, 116.0), (1.47, 58.0), (1.68, 4.0), (1.9, 14.0))
+    arm.flexion = keyed(*with_steps, *with_jump)
     arm.abduction = keyed((-0.1, 9.0), (0.5, 11.0), (0.82, 16.0), (1.15, 14.0), (1.45, 26.0), (1.65, 20.0), (1.9, 13.0))
     arm.inward = keyed((-0.1, 20.0), (0.82, 12.0), (1.15, 24.0), (1.6, 24.0), (1.9, 22.0))
     arm.elbow = keyed(
@@ -122,7 +148,7 @@ def _centre(times: Floats, ground: Floats, standing: float) -> Floats:
 
 def _through(times: Floats, waypoints: list[tuple[float, float, float, float]]) -> Floats:
     curve = np.zeros_like(times)
-    for start, end in zip(waypoints, waypoints[1:], strict=False):
+    for start, end in pairwise(waypoints):
         now = (times >= start[0]) & (times <= end[0])
         curve[now] = quintic(times[now], start, end)
     return curve

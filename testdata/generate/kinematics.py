@@ -56,8 +56,9 @@ def forward(dofs: Dofs) -> Pose:
 
 def centre_of_mass(pose: Pose) -> Floats:
     """The body's centre of mass (frames, 3)."""
-    pairs = [(bone.mass, (pose.heads[bone.name] + pose.tails[bone.name]) / 2) for bone in skeleton.BONES]
-    return sum(mass * middle for mass, middle in pairs) / sum(mass for mass, _ in pairs)
+    masses = np.array([bone.mass for bone in skeleton.BONES])
+    middles = np.stack([(pose.heads[bone.name] + pose.tails[bone.name]) / 2 for bone in skeleton.BONES])
+    return np.average(middles, axis=0, weights=masses)
 
 
 def euler_dofs(bone: skeleton.Bone, parent: Floats, rotation: Floats) -> Floats:
@@ -68,7 +69,7 @@ def euler_dofs(bone: skeleton.Bone, parent: Floats, rotation: Floats) -> Floats:
 
 def turn_in_plane(vector: Floats, rest: Floats) -> Floats:
     """The angle about X that brings `rest` above or below `vector`, both seen along X."""
-    angle = np.arctan2(vector[..., 2], vector[..., 1]) - np.arctan2(rest[2], rest[1])
+    angle: Floats = np.arctan2(vector[..., 2], vector[..., 1]) - np.arctan2(rest[2], rest[1])
     return (angle + np.pi) % (2 * np.pi) - np.pi
 
 

@@ -47,7 +47,8 @@ def uniform(seed: str, count: int) -> Floats:
 def gaussian(seed: str, count: int) -> Floats:
     """`count` normally distributed numbers of mean 0 and deviation 1 (Box and Muller)."""
     pair = uniform(seed, 2 * count)
-    return np.sqrt(-2 * np.log(pair[:count])) * np.cos(2 * np.pi * pair[count:])
+    numbers: Floats = np.sqrt(-2 * np.log(pair[:count])) * np.cos(2 * np.pi * pair[count:])
+    return numbers
 
 
 def noise_deg(name: str) -> float:
@@ -62,9 +63,7 @@ def recorded(clip: str, dofs: Dofs, spikes: tuple[Spike, ...]) -> Dofs:
         sizes = [
             POSITION_NOISE_M if dof.startswith("t") else np.radians(noise_deg(name)) for dof in skeleton.dofs_of(name)
         ]
-        columns = [
-            size * gaussian(f"{clip} {name} {column}", len(values)) for column, size in enumerate(sizes)
-        ]
+        columns = [size * gaussian(f"{clip} {name} {column}", len(values)) for column, size in enumerate(sizes)]
         noisy[name] = values + np.stack(columns, axis=-1)
     for spike in spikes:
         column = skeleton.dofs_of(spike.bone).index(spike.dof)

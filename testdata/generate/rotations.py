@@ -47,13 +47,15 @@ def transposed(matrix: Floats) -> Floats:
 
 def rotate(matrix: Floats, vector: ArrayLike) -> Floats:
     """Each vector turned by its matrix."""
-    return np.einsum("...ij,...j->...i", matrix, np.asarray(vector, dtype=float))
+    turned: Floats = np.einsum("...ij,...j->...i", matrix, np.asarray(vector, dtype=float))
+    return turned
 
 
 def normalised(vector: ArrayLike) -> Floats:
     """Vectors of length 1."""
     vector = np.asarray(vector, dtype=float)
-    return vector / np.linalg.norm(vector, axis=-1, keepdims=True)
+    unit: Floats = vector / np.linalg.norm(vector, axis=-1, keepdims=True)
+    return unit
 
 
 def frame_of(x: Floats, y: Floats) -> Floats:

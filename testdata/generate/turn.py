@@ -30,22 +30,32 @@ STEPS: tuple[tuple[str, float, float, float], ...] = (
 )
 """Foot, release, strike and the foot's heading afterwards, from where the body began."""
 
+TURNED: tuple[tuple[float, float], ...] = (
+    (0.1, 0.0),
+    (0.56, 20.0),
+    (0.98, 54.0),
+    (1.35, 82.0),
+    (1.76, 110.0),
+    (2.13, 135.0),
+    (2.52, 160.0),
+    (3.1, TURN_DEG - 1.0),
+    (3.35, TURN_DEG),
+)
+"""When the pelvis has turned how far."""
+
 
 def turn(times: Floats) -> Dofs:
     """The clip, around the origin."""
-    paths = {side: feet.path(times, _stances(side), f"turn {side}", lift=0.035) for side in ("l", "r")}
+    paths = {side: feet.path(times, _stances(side), f"turn {side}") for side in ("l", "r")}
     ground = feet.support(times, paths["l"], paths["r"])
     middle = feet.smoothed(times, (paths["l"].ankle + paths["r"].ankle) / 2, 0.12)
     centre = middle + 0.62 * (ground - middle)
-    turned = spline(
-        times,
-        [(0.1, 0.0), (0.56, 20.0), (0.98, 54.0), (1.35, 82.0), (1.76, 110.0), (2.13, 135.0), (2.52, 160.0), (3.1, 179.0), (3.35, 180.0)],
-    )  # fmt: skip
+    turned = spline(times, TURNED)
     heading = START_DEG + turned
     speed = np.gradient(turned, times)
     swinging = {side: _swing(times, side) for side in ("l", "r")}
     tilt = 3.5 + 0.6 * (swinging["l"] + swinging["r"])
-    lift = 2.6 * (swinging["r"] - swinging["l"])
+    side_tilt = 2.6 * (swinging["r"] - swinging["l"])
     height = 1.022 - 0.012 * ease(times, 0.1, 0.4) + 0.010 * (swinging["l"] + swinging["r"])
     plan = Plan(
         seed="turn",
@@ -53,11 +63,11 @@ def turn(times: Floats) -> Dofs:
         root=np.stack([middle[:, 0], height, middle[:, 2]], axis=-1),
         heading=heading,
         tilt=tilt + wander(times, "turn tilt", 0.6, 1.4),
-        list=lift,
+        list=side_tilt,
         bend=2.0 + wander(times, "turn bend", 1.2, 1.8),
         # The trunk leads the hips into the turn and the head leads the trunk.
         twist=0.10 * speed + 2.0 * (swinging["r"] - swinging["l"]),
-        lean=-0.8 * lift,
+        lean=-0.8 * side_tilt,
         gaze_side=0.22 * speed + wander(times, "turn gaze", 2.5, 2.0),
         gaze_down=9.0 + wander(times, "turn nod", 2.5, 1.6),
         arms={side: _arm(times, side, speed, swinging) for side in ("l", "r")},
@@ -81,7 +91,18 @@ def _stances(side: str) -> list[Stance]:
         x = s * HALF_WIDTH_M * np.cos(faces) + BALL_AHEAD_M * np.sin(faces)
         z = -s * HALF_WIDTH_M * np.sin(faces) + BALL_AHEAD_M * np.cos(faces)
         stances.append(
-            Stance(begin, end, float(x), float(z), toes, strike_pitch=-6.0, release_pitch=-24.0, settle=0.09, roll=0.16)
+            Stance(
+                begin,
+                end,
+                float(x),
+                float(z),
+                toes,
+                strike_pitch=-6.0,
+                release_pitch=-24.0,
+                settle=0.09,
+                roll=0.16,
+                lift=0.035,
+            )
         )
     return stances
 

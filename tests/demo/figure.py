@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping, Set
 
 import numpy as np
 
-from .render import Colour, Floats, RoundCone
+from .camera import Colour, Floats
+from .cones import RoundCone
 
 LIMBS: dict[str, tuple[float, float]] = {
     "femur": (0.088, 0.056),
@@ -83,9 +84,7 @@ def _chest(
     return cones
 
 
-def _head(
-    heads: Mapping[str, Floats], tails: Mapping[str, Floats], colour: Callable[[str], Colour]
-) -> list[RoundCone]:
+def _head(heads: Mapping[str, Floats], tails: Mapping[str, Floats], colour: Callable[[str], Colour]) -> list[RoundCone]:
     """A head with a visor, so that one sees where it looks."""
     base, top = heads["head"], tails["head"]
     up = top - base

@@ -1,8 +1,8 @@
 //! numpy arrays <-> the core's vectors and quaternions.
 
 use glam::{DQuat, DVec3};
-use numpy::ndarray::Array2;
-use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods, ToPyArray};
+use numpy::ndarray::{Array2, Dimension};
+use numpy::{Element, PyArray2, PyReadonlyArray, PyReadonlyArray2, PyUntypedArrayMethods, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -42,8 +42,20 @@ fn read_rows<const N: usize>(name: &str, array: &PyReadonlyArray2<'_, f64>) -> P
     if array.shape()[1] != N {
         return Err(PyValueError::new_err(format!("{name}: expected {N} columns, found {}", array.shape()[1])));
     }
-    let slice = array.as_slice()?;
+    let slice = row_first(name, array)?;
     Ok(slice.as_chunks::<N>().0.to_vec())
+}
+
+/// Borrows an array's numbers in the order of its indices, the last one fastest.
+///
+/// `as_slice` alone would also lend out an array that runs the other way (columns first), and its numbers would be
+/// taken for others.
+pub fn row_first<'a, T: Element, D: Dimension>(name: &str, array: &'a PyReadonlyArray<'_, T, D>) -> PyResult<&'a [T]> {
+    if array.is_c_contiguous() {
+        Ok(array.as_slice()?)
+    } else {
+        Err(PyValueError::new_err(format!("{name}: expected a C-contiguous array (numpy.ascontiguousarray)")))
+    }
 }
 
 /// Checks that a list has one item per bone.

@@ -33,7 +33,7 @@ fn types(py: Python<'_>) -> PyResult<&Types> {
     })
 }
 
-/// Makes an exception class; PyO3's own way knows only one base.
+/// Makes an exception class; the way that `PyO3` offers knows only one base.
 fn new_type<'py>(bases: &[&Bound<'py, PyType>], name: &str, doc: &str) -> PyResult<Bound<'py, PyType>> {
     let py = bases[0].py();
     let namespace = PyDict::new(py);

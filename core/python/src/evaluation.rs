@@ -5,6 +5,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 use xxhash_rust::xxh3::Xxh3;
 
+use crate::arrays::row_first;
 use crate::entries::AnyEntry;
 use crate::errors;
 use crate::rig::{PyBaseChannel, PyRig};
@@ -76,7 +77,7 @@ fn to_python(py: Python<'_>, channel: stack::ResultChannel) -> PyResult<Py<PyRes
 pub fn digest(arrays: Vec<PyReadonlyArrayDyn<'_, f32>>) -> PyResult<String> {
     let mut hash = Xxh3::new();
     for array in &arrays {
-        let values = array.as_slice()?;
+        let values = row_first("arrays", array)?;
         hash.update(&(values.len() as u64).to_le_bytes());
         hash.update(bytemuck::cast_slice(values));
     }

@@ -8,6 +8,7 @@ use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3,
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::arrays::row_first;
 use crate::errors;
 
 /// Reads a filter's kind by name.
@@ -38,7 +39,7 @@ pub fn filter_values<'py>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (kind, depth) = (self::kind(kind)?, self::depth(depth)?);
     let (channels, frames) = (values.shape()[0], values.shape()[1]);
-    let values = values.as_slice()?;
+    let values = row_first("values", &values)?;
     let filtered = py.detach(|| {
         let mut filtered = vec![0.0; values.len()];
         filter::filter_channels(values, frames, &mut filtered, kind, depth);
@@ -62,7 +63,7 @@ pub fn filter_rotations<'py>(
     if shape.2 != 4 {
         return Err(PyValueError::new_err(format!("expected quaternions of 4 components, found {}", shape.2)));
     }
-    let values = values.as_slice()?;
+    let values = row_first("values", &values)?;
     let filtered = py.detach(|| {
         let mut filtered = Vec::with_capacity(values.len());
         for bone in values.chunks_exact((shape.1 * 4).max(1)) {

@@ -8,7 +8,7 @@ use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{one_per_bone, read_quaternions, read_vectors};
+use crate::arrays::{one_per_bone, read_quaternions, read_vectors, row_first};
 use crate::errors;
 
 /// The armature a stack is evaluated for.
@@ -99,6 +99,6 @@ impl PyBaseChannel {
         if !is_key.is_empty() && is_key.len() != frames.len() {
             return Err(PyValueError::new_err("is_key: expected one per frame"));
         }
-        Ok(Self(BaseChannel { bone, channel, frames, values: values.as_slice()?.to_vec(), is_key }))
+        Ok(Self(BaseChannel { bone, channel, frames, values: row_first("values", &values)?.to_vec(), is_key }))
     }
 }

@@ -38,3 +38,54 @@ pub fn unwrap_angles(angles: &mut [[f64; 3]]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    const KINDS: [FilterKind; 3] = [FilterKind::Median, FilterKind::Average, FilterKind::Weighted];
+
+    #[test]
+    fn a_channel_that_wraps_at_half_a_turn_shows_no_spike() {
+        let wrapped = |frame: i32| {
+            let angle = f64::from(frame) * 0.1;
+            [0.0, angle - TAU * (angle / TAU).round(), -angle + TAU * (angle / TAU).round()]
+        };
+        let angles: Vec<_> = (0..200).map(wrapped).collect();
+        assert!(angles.windows(2).any(|pair| (pair[1][1] - pair[0][1]).abs() > PI), "the input does wrap");
+        for kind in KINDS {
+            for depth in [3, 5, 7] {
+                let mut result = vec![[0.0; 3]; angles.len()];
+                filter_angles(&angles, &mut result, kind, Depth::try_from(depth).unwrap());
+                for (frame, triple) in result.iter().enumerate() {
+                    let expected = frame as f64 * 0.1;
+                    assert_eq!(triple[0], 0.0);
+                    assert!((triple[1] - expected).abs() < 1e-12, "{kind:?} {depth} {frame}");
+                    assert!((triple[2] + expected).abs() < 1e-12, "{kind:?} {depth} {frame}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn channels_that_do_not_wrap_keep_their_bits() {
+        let angles = [[-0.0, 3.0, 100.0], [0.1, 0.0, 100.0], [0.2, -3.0, 103.0]];
+        let mut unwrapped = angles;
+        unwrap_angles(&mut unwrapped);
+        assert_eq!(unwrapped.map(|triple| triple.map(f64::to_bits)), angles.map(|triple| triple.map(f64::to_bits)));
+    }
+
+    #[test]
+    fn unwrapping_passes_over_values_that_are_no_numbers() {
+        let mut angles = [[3.0; 3], [f64::NAN; 3], [f64::INFINITY; 3], [-3.0; 3]];
+        unwrap_angles(&mut angles);
+        assert_eq!(angles[3], [TAU - 3.0; 3]);
+    }
+
+    #[test]
+    fn no_frames_are_no_frames() {
+        filter_angles(&[], &mut [], FilterKind::Average, Depth::try_from(3).unwrap());
+    }
+}

@@ -3,6 +3,8 @@
 //! A running sum would drift, and would spread one value that is no number over all that follow. Here every result is
 //! a sum of its own window's values only.
 
+use std::iter::repeat;
+
 use super::window::{map_windows, symmetric_mean, WindowKernel};
 
 /// Mean over windows that reach so far to each side.
@@ -15,6 +17,7 @@ impl WindowKernel for Average {
         self.reach
     }
 
+    #[inline(always)]
     fn full_windows(&self, values: &[f64], out: &mut [f64]) {
         match self.reach {
             1 => map_windows(values, out, mean_of::<3>),
@@ -25,7 +28,7 @@ impl WindowKernel for Average {
     }
 
     fn shrunk_window(&self, window: &[f64]) -> f64 {
-        symmetric_mean(window, &equal_weights(window.len() / 2))
+        symmetric_mean(window, repeat(1.0 / window.len() as f64))
     }
 }
 
@@ -34,15 +37,15 @@ pub(super) fn equal_weights(reach: usize) -> Vec<f64> {
     vec![1.0 / (2 * reach + 1) as f64; reach]
 }
 
-/// The centre plus the mean difference from it: exact where the window is constant or evenly rising.
-#[inline]
+/// The centre plus the mean difference from it.
+///
+/// Exact where the window is constant: up to depth 7 the sum of its pairs rounds as the multiple of the centre does.
+#[inline(always)]
 fn mean_of<const D: usize>(window: [f64; D]) -> f64 {
     let centre = window[D / 2];
-    let mut shift = 0.0;
-    for distance in 1..=D / 2 {
-        shift += (window[D / 2 - distance] + window[D / 2 + distance]) - 2.0 * centre;
-    }
-    centre + shift * (1.0 / D as f64)
+    let (before, after) = (&window[..D / 2], &window[D / 2 + 1..]);
+    let pairs: f64 = before.iter().zip(after.iter().rev()).map(|(before, after)| before + after).sum();
+    centre + (pairs - (D - 1) as f64 * centre) * (1.0 / D as f64)
 }
 
 /// Means of long windows in about three additions each.

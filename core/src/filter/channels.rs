@@ -104,12 +104,9 @@ mod tests {
     fn average_spreads_a_spike_evenly() {
         let mut spike = [0.0; 9];
         spike[4] = 7.0;
-        let expected = [0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0];
-        // The second frame's window has shrunk to 3 values, the third one's to 5.
-        let near_ends = [0.0, 0.0, 1.4, 1.0, 1.0, 1.0, 1.4, 0.0, 0.0];
-        let averaged = filtered(&spike, FilterKind::Average, 7);
-        assert!(largest_difference(&averaged[3..6], &expected[3..6]) < 1e-15);
-        assert!(largest_difference(&averaged, &near_ends) < 1e-15);
+        // Towards the ends the windows that still hold the spike have shrunk to 5 values, the next ones miss it.
+        let expected = [0.0, 0.0, 1.4, 1.0, 1.0, 1.0, 1.4, 0.0, 0.0];
+        assert!(largest_difference(&filtered(&spike, FilterKind::Average, 7), &expected) < 1e-15);
     }
 
     #[test]
@@ -130,7 +127,7 @@ mod tests {
     fn nothing_and_one_value_stay() {
         for kind in KINDS {
             for depth in [3, 5, 7, 1001, usize::MAX] {
-                assert_eq!(filtered(&[], kind, depth), []);
+                assert_eq!(filtered(&[], kind, depth), [0.0; 0]);
                 assert_eq!(filtered(&[0.5], kind, depth), [0.5]);
             }
         }

@@ -15,6 +15,7 @@ impl WindowKernel for Median {
         self.reach
     }
 
+    #[inline(always)]
     fn full_windows(&self, values: &[f64], out: &mut [f64]) {
         match self.reach {
             1 => map_windows(values, out, median_of_3),
@@ -37,12 +38,12 @@ impl WindowKernel for Median {
 /// Returns the smaller and the larger of two values: one vector instruction each.
 ///
 /// Where either is not a number the two trade places, so that no value of a window is ever lost or doubled.
-#[inline]
+#[inline(always)]
 fn sorted(a: f64, b: f64) -> (f64, f64) {
     (if a < b { a } else { b }, if b > a { b } else { a })
 }
 
-#[inline]
+#[inline(always)]
 fn median_of_3([a, b, c]: [f64; 3]) -> f64 {
     let (low, high) = sorted(a, b);
     let (smaller, _) = sorted(high, c);
@@ -50,7 +51,7 @@ fn median_of_3([a, b, c]: [f64; 3]) -> f64 {
 }
 
 /// Sorts two pairs, drops the smallest and the largest of the four, and takes the median of the three that remain.
-#[inline]
+#[inline(always)]
 fn median_of_5([a, b, c, d, e]: [f64; 5]) -> f64 {
     let (a, b) = sorted(a, b);
     let (c, d) = sorted(c, d);
@@ -60,7 +61,7 @@ fn median_of_5([a, b, c, d, e]: [f64; 5]) -> f64 {
 }
 
 /// Drops the smallest and the largest of six, and takes the median of the five that remain.
-#[inline]
+#[inline(always)]
 fn median_of_7([a, b, c, d, e, f, g]: [f64; 7]) -> f64 {
     let (a, b) = sorted(a, b);
     let (c, d) = sorted(c, d);

@@ -16,16 +16,6 @@ impl Weighted {
     pub(super) fn new(reach: usize) -> Self {
         Self { reach, weights: pascal_weights(reach) }
     }
-
-    #[inline]
-    fn mean_of<const D: usize>(weights: [f64; 3], window: [f64; D]) -> f64 {
-        let centre = window[D / 2];
-        let mut shift = 0.0;
-        for distance in 1..=D / 2 {
-            shift += weights[distance - 1] * ((window[D / 2 - distance] + window[D / 2 + distance]) - 2.0 * centre);
-        }
-        centre + shift
-    }
 }
 
 impl WindowKernel for Weighted {
@@ -33,18 +23,42 @@ impl WindowKernel for Weighted {
         self.reach
     }
 
+    #[inline(always)]
     fn full_windows(&self, values: &[f64], out: &mut [f64]) {
-        match *self.weights {
-            [a] => map_windows(values, out, |window: [f64; 3]| Self::mean_of([a, 0.0, 0.0], window)),
-            [a, b] => map_windows(values, out, |window: [f64; 5]| Self::mean_of([a, b, 0.0], window)),
-            [a, b, c] => map_windows(values, out, |window: [f64; 7]| Self::mean_of([a, b, c], window)),
-            _ => symmetric_means(values, out, self.reach, &self.weights),
+        match self.reach {
+            1 => map_windows(values, out, mean_of_3),
+            2 => map_windows(values, out, mean_of_5),
+            3 => map_windows(values, out, mean_of_7),
+            reach => symmetric_means(values, out, reach, &self.weights),
         }
     }
 
     fn shrunk_window(&self, window: &[f64]) -> f64 {
-        symmetric_mean(window, &pascal_weights(window.len() / 2))
+        match *window {
+            [a] => a,
+            [a, b, c] => mean_of_3([a, b, c]),
+            [a, b, c, d, e] => mean_of_5([a, b, c, d, e]),
+            _ => symmetric_mean(window, pascal_weights(window.len() / 2)),
+        }
     }
+}
+
+/// 1 2 1 over 4.
+#[inline(always)]
+fn mean_of_3(window: [f64; 3]) -> f64 {
+    symmetric_mean(&window, [1.0 / 4.0])
+}
+
+/// 1 4 6 4 1 over 16.
+#[inline(always)]
+fn mean_of_5(window: [f64; 5]) -> f64 {
+    symmetric_mean(&window, [4.0 / 16.0, 1.0 / 16.0])
+}
+
+/// 1 6 15 20 15 6 1 over 64.
+#[inline(always)]
+fn mean_of_7(window: [f64; 7]) -> f64 {
+    symmetric_mean(&window, [15.0 / 64.0, 6.0 / 64.0, 1.0 / 64.0])
 }
 
 /// Returns the weights at distance 1, 2, ... from the middle of row `2 * reach` of Pascal's triangle, over its sum.

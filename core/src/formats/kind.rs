@@ -12,6 +12,8 @@ pub(crate) enum Kind {
     /// A kind that has a reader.
     Amc,
     /// A kind that has a reader.
+    Bvh,
+    /// A kind that has a reader.
     C3d,
     /// A kind that has a reader.
     Csm,
@@ -26,6 +28,7 @@ impl fmt::Display for Kind {
         f.write_str(match self {
             Self::Asf => "an Acclaim skeleton (.asf)",
             Self::Amc => "an Acclaim motion (.amc)",
+            Self::Bvh => "a BVH motion (.bvh)",
             Self::C3d => "a C3D marker file (.c3d)",
             Self::Csm => "a CSM marker file (.csm)",
             Self::Trc => "a TRC marker file (.trc)",
@@ -38,7 +41,7 @@ impl fmt::Display for Kind {
 const BEGINNINGS: &[(&[u8], Kind)] = &[
     (b"\xFF\xFE", Kind::Foreign("UTF-16 text; save it as UTF-8")),
     (b"\xFE\xFF", Kind::Foreign("UTF-16 text; save it as UTF-8")),
-    (b"HIERARCHY", Kind::Foreign("a BVH motion (.bvh)")),
+    (b"HIERARCHY", Kind::Bvh),
     (b"$", Kind::Csm),
     (b"PathFileType", Kind::Trc),
     (b"Kaydara FBX Binary", Kind::Foreign("an FBX file (.fbx)")),
@@ -72,7 +75,7 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
     if let Some((_, kind)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
         return Some(*kind);
     }
-    if head.contains(&0) {
+    if source.contains(&0) {
         if matches!(head, [block, 0x50, ..] if *block < b' ') {
             return Some(Kind::C3d);
         }
@@ -81,10 +84,6 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
         } else {
             "binary data"
         }));
-    }
-    let control_count = head.iter().filter(|byte| **byte < b' ' && !byte.is_ascii_whitespace()).count();
-    if control_count > head.len() / 16 {
-        return Some(Kind::Foreign("binary data"));
     }
     recognise_acclaim(head)
 }

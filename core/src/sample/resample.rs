@@ -82,3 +82,97 @@ fn sampled_at<T>(samples: &[T], positions: &[f64], sample: fn(&[T], f64, Samplin
     }
     positions.iter().map(|&x| sample(samples, x, Sampling::Smooth)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DQuat, DVec3};
+
+    use super::*;
+    use crate::sample::angle_between;
+
+    /// A joint that swings once in two seconds while its start moves along.
+    fn swing(frame_count: usize, rate_hz: f64) -> Motion {
+        let angle = |frame: usize| 0.8 * (frame as f64 / rate_hz * std::f64::consts::PI).sin();
+        let swinging = BoneMotion {
+            rotations: (0..frame_count).map(|frame| DQuat::from_rotation_x(angle(frame))).collect(),
+            angles: (0..frame_count).map(|frame| [angle(frame), 0.0, 0.0]).collect(),
+            translations: (0..frame_count).map(|frame| DVec3::new(frame as f64 / rate_hz, 0.0, 0.0)).collect(),
+            stretches: vec![0.25; frame_count],
+        };
+        let bones = vec![swinging, BoneMotion::default()];
+        Motion { bones, first_frame: 17, frame_count, rate_hz: Some(rate_hz) }
+    }
+
+    fn refusal(motion: &Motion, rate_hz: f64) -> String {
+        motion.resampled(rate_hz).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn its_own_rate_changes_no_bit() {
+        let motion = swing(50, 120.0);
+        assert_eq!(motion.resampled(120.0), Ok(motion));
+    }
+
+    #[test]
+    fn frames_show_the_same_moments() {
+        for rate_hz in [24.0, 25.0, 29.97, 60.0, 119.0, 240.0, 1000.0] {
+            let motion = swing(601, 120.0).resampled(rate_hz).unwrap();
+            let direct = swing(motion.frame_count, rate_hz);
+            assert_eq!((motion.first_frame, motion.rate_hz), (17, Some(rate_hz)));
+            assert_eq!(motion.frame_count, (5.0 * rate_hz) as usize + 1);
+            assert_eq!(motion.bones[1], BoneMotion::default());
+            let (bone, expected) = (&motion.bones[0], &direct.bones[0]);
+            assert_eq!(bone.stretches, expected.stretches);
+            for frame in 0..motion.frame_count {
+                assert!(angle_between(bone.rotations[frame], expected.rotations[frame]) < 1e-3, "{rate_hz} {frame}");
+                assert!((bone.angles[frame][0] - expected.angles[frame][0]).abs() < 1e-3);
+                assert!(bone.translations[frame].distance(expected.translations[frame]) < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn going_up_by_a_whole_factor_keeps_every_sample() {
+        let motion = swing(40, 60.0);
+        let finer = motion.resampled(180.0).unwrap();
+        assert_eq!(finer.frame_count, 39 * 3 + 1);
+        for frame in 0..40 {
+            assert_eq!(finer.bones[0].rotations[3 * frame], motion.bones[0].rotations[frame]);
+            assert_eq!(finer.bones[0].translations[3 * frame], motion.bones[0].translations[frame]);
+        }
+    }
+
+    #[test]
+    fn no_frames_and_one_frame_stay() {
+        for frames in [0, 1] {
+            let mut expected = swing(frames, 30.0);
+            expected.rate_hz = Some(24.0);
+            assert_eq!(swing(frames, 30.0).resampled(24.0), Ok(expected));
+        }
+    }
+
+    #[test]
+    fn rates_without_sense_are_refused_in_words() {
+        let motion = swing(50, 120.0);
+        assert_eq!(refusal(&motion, 0.0), "a rate is a number of frames per second above 0, not 0");
+        assert_eq!(refusal(&motion, f64::NAN), "a rate is a number of frames per second above 0, not NaN");
+        assert_eq!(refusal(&motion, f64::INFINITY), "a rate is a number of frames per second above 0, not inf");
+        let unknown = Motion { rate_hz: None, ..motion };
+        assert_eq!(refusal(&unknown, 24.0), "the motion does not say its rate, so it cannot be brought to another");
+    }
+
+    #[test]
+    fn a_rate_that_would_fill_the_memory_is_refused_in_words() {
+        let words = "at 1000000000 frames per second the motion would have 1000000001 frames of 2 bones, \
+                     more than memory can be expected to hold";
+        assert_eq!(refusal(&swing(121, 120.0), 1e9), words);
+        assert!(swing(121, 1e-300).resampled(1e300).is_err());
+    }
+
+    #[test]
+    fn a_rate_far_below_leaves_the_first_frame() {
+        let motion = swing(121, 120.0).resampled(1e-6).unwrap();
+        assert_eq!(motion.frame_count, 1);
+        assert_eq!(motion.bones[0].rotations, swing(1, 120.0).bones[0].rotations);
+    }
+}

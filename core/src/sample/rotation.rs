@@ -76,22 +76,140 @@ fn quarter_turn_arc(a: DQuat, b: DQuat) -> f64 {
 
 /// The control point that gives a rotation the mean speed of its two neighbouring steps.
 fn squad_control(before: DQuat, at: DQuat, after: DQuat) -> DQuat {
-    let log_of_step = |to: DQuat| logarithm(at.conjugate() * in_hemisphere_of(at, to));
-    at * exponential((log_of_step(before) + log_of_step(after)) * -0.25)
+    at * exponential((half_step(at, before) + half_step(at, after)) * -0.25)
 }
 
-/// Half the rotation vector of a unit quaternion.
-fn logarithm(rotation: DQuat) -> DVec3 {
-    let vector = rotation.xyz();
+/// Half the rotation vector that leads from one rotation to another, in the axes of the first: zero if they are equal.
+fn half_step(from: DQuat, to: DQuat) -> DVec3 {
+    let change = from.conjugate() * (in_hemisphere_of(from, to) - from);
+    let vector = change.xyz();
     let length = vector.length();
     if length == 0.0 {
         DVec3::ZERO
     } else {
-        vector * (length.atan2(rotation.w) / length)
+        vector * (length.atan2(1.0 + change.w) / length)
     }
 }
 
-/// The inverse of [`logarithm`].
+/// The rotation by twice a vector.
 fn exponential(half_vector: DVec3) -> DQuat {
     DQuat::from_scaled_axis(2.0 * half_vector)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+    use proptest::prelude::*;
+
+    use super::super::sample_value;
+    use super::*;
+
+    const SAMPLINGS: [Sampling; 2] = [Sampling::Linear, Sampling::Smooth];
+
+    /// A handful of roundings by 2^-53 on components of unit size.
+    const ROUNDING_RAD: f64 = 1e-14;
+
+    #[test]
+    fn a_quarter_of_the_way_is_a_quarter_of_the_angle_on_the_shorter_arc() {
+        let from = DQuat::from_rotation_x(0.5);
+        let to = DQuat::from_rotation_x(0.5 - FRAC_PI_2);
+        for to in [to, -to] {
+            let expected = DQuat::from_rotation_x(0.5 - FRAC_PI_2 / 4.0);
+            assert!(angle_between(sample_rotation(&[from, to], 0.25, Sampling::Linear), expected) < ROUNDING_RAD);
+        }
+    }
+
+    #[test]
+    fn tiny_angles_are_told_apart() {
+        let tiny_rad = 1e-12;
+        let angle = angle_between(DQuat::IDENTITY, DQuat::from_rotation_y(tiny_rad));
+        assert!((angle - tiny_rad).abs() < 1e-24);
+    }
+
+    #[test]
+    fn a_half_turn_is_the_largest_angle() {
+        let angle = angle_between(DQuat::IDENTITY, DQuat::from_rotation_z(PI));
+        assert!((angle - PI).abs() < ROUNDING_RAD);
+    }
+
+    #[test]
+    fn smooth_about_one_axis_is_the_catmull_rom_spline() {
+        let angles = [0.0, 0.3, 0.2, 0.9, 1.0];
+        let rotations = angles.map(DQuat::from_rotation_y);
+        for step in 0..=40 {
+            let x = f64::from(step) / 10.0;
+            let expected = DQuat::from_rotation_y(sample_value(&angles, x, Sampling::Smooth));
+            assert!(angle_between(sample_rotation(&rotations, x, Sampling::Smooth), expected) < ROUNDING_RAD, "{x}");
+        }
+    }
+
+    #[test]
+    fn smooth_has_no_kink_at_the_samples() {
+        let samples: Vec<_> = (0..6)
+            .map(|frame| {
+                let time = f64::from(frame);
+                DQuat::from_scaled_axis(DVec3::new(time.sin(), 0.7 * (2.0 * time).cos(), 0.2 * time))
+            })
+            .collect();
+        let nearby = 1e-6;
+        for frame in 1..5 {
+            let x = f64::from(frame);
+            let at = samples[frame as usize];
+            let velocity = |x: f64| half_step(at, sample_rotation(&samples, x, Sampling::Smooth)) / nearby;
+            // One-sided differences err by their step times the second derivative, which is of size 1 here.
+            assert!((velocity(x + nearby) + velocity(x - nearby)).length() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn a_joint_that_turns_at_constant_speed_does_so_between_the_frames_too() {
+        let turn = |x: f64| DQuat::from_rotation_z(x * TAU / 10.0);
+        let samples: Vec<_> = (0..=20).map(|frame| turn(f64::from(frame))).collect();
+        for sampling in SAMPLINGS {
+            for step in 0..=200 {
+                let x = f64::from(step) / 10.0;
+                assert!(angle_between(sample_rotation(&samples, x, sampling), turn(x)) < ROUNDING_RAD);
+            }
+        }
+    }
+
+    #[test]
+    fn no_samples_and_values_that_are_no_numbers_do_not_panic() {
+        let broken = [DQuat::from_xyzw(f64::NAN, 0.0, 0.0, f64::INFINITY); 3];
+        for sampling in SAMPLINGS {
+            assert_eq!(sample_rotation(&[], 1.5, sampling), DQuat::IDENTITY);
+            assert!(sample_rotation(&broken, 1.5, sampling).is_nan());
+            assert_eq!(sample_rotation(&[DQuat::IDENTITY], f64::NAN, sampling), DQuat::IDENTITY);
+        }
+    }
+
+    fn any_rotation() -> impl Strategy<Value = DQuat> {
+        [-TAU..TAU, -TAU..TAU, -TAU..TAU].prop_map(|vector| DQuat::from_scaled_axis(DVec3::from_array(vector)))
+    }
+
+    proptest! {
+        #[test]
+        fn at_samples_the_value_is_the_sample_bit_for_bit(samples in prop::collection::vec(any_rotation(), 1..9)) {
+            for sampling in SAMPLINGS {
+                for (index, sample) in samples.iter().enumerate() {
+                    prop_assert_eq!(sample_rotation(&samples, index as f64, sampling), *sample);
+                }
+            }
+        }
+
+        #[test]
+        fn between_samples_lie_unit_quaternions(samples in prop::collection::vec(any_rotation(), 1..9), x in -1.0..9.0) {
+            for sampling in SAMPLINGS {
+                prop_assert!((sample_rotation(&samples, x, sampling).length() - 1.0).abs() < ROUNDING_RAD);
+            }
+        }
+
+        #[test]
+        fn a_still_joint_stays_to_the_last_bit(rotation in any_rotation(), x in 0.0..4.0) {
+            for sampling in SAMPLINGS {
+                prop_assert_eq!(sample_rotation(&[rotation; 5], x, sampling), rotation);
+            }
+        }
+    }
 }

@@ -48,3 +48,62 @@ where
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const SAMPLINGS: [Sampling; 2] = [Sampling::Linear, Sampling::Smooth];
+
+    #[test]
+    fn linear_goes_straight() {
+        assert_eq!(sample_value(&[1.0, 5.0], 0.25, Sampling::Linear), 2.0);
+        assert_eq!(sample_vector(&[DVec3::ZERO, DVec3::X], 0.5, Sampling::Linear), DVec3::new(0.5, 0.0, 0.0));
+        assert_eq!(sample_angles(&[[0.0, 2.0, -4.0], [1.0, 4.0, 0.0]], 0.5, Sampling::Linear), [0.5, 3.0, -2.0]);
+    }
+
+    #[test]
+    fn smooth_follows_a_parabola_inside() {
+        let parabola: Vec<f64> = (0..6).map(|frame| f64::from(frame * frame)).collect();
+        assert_eq!(sample_value(&parabola, 2.5, Sampling::Smooth), 6.25);
+        assert_eq!(sample_value(&parabola, 3.25, Sampling::Smooth), 10.5625);
+    }
+
+    #[test]
+    fn of_no_samples_the_value_is_zero() {
+        for sampling in SAMPLINGS {
+            assert_eq!(sample_value(&[], 1.0, sampling), 0.0);
+            assert_eq!(sample_vector(&[], 1.0, sampling), DVec3::ZERO);
+            assert_eq!(sample_angles(&[], f64::NAN, sampling), [0.0; 3]);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn at_samples_the_value_is_the_sample(samples in prop::collection::vec(any::<f64>(), 1..9)) {
+            for sampling in SAMPLINGS {
+                for (index, sample) in samples.iter().enumerate() {
+                    prop_assert_eq!(sample_value(&samples, index as f64, sampling).to_bits(), sample.to_bits());
+                }
+            }
+        }
+
+        #[test]
+        fn before_and_after_the_samples_the_ends_hold(samples in prop::collection::vec(-9.0..9.0, 1..9), far in 0.0..1e9_f64) {
+            for sampling in SAMPLINGS {
+                prop_assert_eq!(sample_value(&samples, -far, sampling), samples[0]);
+                let beyond = (samples.len() - 1) as f64 + far;
+                prop_assert_eq!(Some(&sample_value(&samples, beyond, sampling)), samples.last());
+            }
+        }
+
+        #[test]
+        fn constants_stay_to_the_last_bit(value in -1e9..1e9, x in 0.0..4.0) {
+            for sampling in SAMPLINGS {
+                prop_assert_eq!(sample_value(&[value; 5], x, sampling), value);
+            }
+        }
+    }
+}

@@ -11,11 +11,16 @@
 //! notice says so. A file that was cut off is an error unless it was cut between two frames (or within the very last
 //! number): what is left is then a shorter motion, and nothing in the format can tell.
 
+mod build;
 mod frame;
 mod header;
 mod motion;
 mod read;
+#[cfg(test)]
+mod tests;
 mod write;
+
+pub use build::with_dofs_for;
 
 use super::AngleUnit;
 use crate::error::ParseError;

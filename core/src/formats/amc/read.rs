@@ -1,6 +1,6 @@
 //! Bytes -> [`Amc`].
 //!
-//! Frames are read twice over: [`FrameLayout::read_usual`] takes a frame that is written just like the first, without
+//! There are two ways to read a frame: [`FrameLayout::read_usual`] takes a frame that is written just like the first, without
 //! searching and without allocating; [`FrameReader::read_frame`] takes any frame, and says what is wrong with it.
 
 use super::frame::FrameLayout;
@@ -10,8 +10,7 @@ use crate::error::ParseError;
 use crate::formats::kind::{self, Kind};
 use crate::number;
 use crate::text::{Lines, Word, Words};
-use std::collections::hash_map::Entry;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 pub(super) fn parse(source: &[u8]) -> Result<Amc, ParseError> {
     kind::check(source, Kind::Amc)?;
@@ -94,14 +93,13 @@ fn read_first_frame(lines: &mut Lines<'_>, amc: &mut Amc) -> Result<i64, ParseEr
     let mut words = lines.next_words().ok_or_else(|| lines.ended(WANTED))?;
     let Some(number) = frame_number(&words) else { return Err(words.expect(WANTED)?.unexpected(WANTED)) };
     let number = number?;
-    let mut seen = HashMap::new();
+    let mut seen = HashSet::new();
     while let Some(mut words) = lines.peek_words().filter(|words| frame_number(words).is_none()) {
         lines.next_words();
         let name = words.expect("the name of a bone")?;
         check_name(&name)?;
-        if let Entry::Vacant(free) = seen.entry(name.bytes) {
-            free.insert(());
-        } else {
+        // As text, for two spellings in bytes can be one name.
+        if !seen.insert(name.text()) {
             return Err(second_time(&name, number));
         }
         let values_before = amc.values.len();

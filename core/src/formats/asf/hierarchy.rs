@@ -3,12 +3,12 @@
 use super::read::next_of_section;
 use super::{Asf, Family, ROOT};
 use crate::error::ParseError;
-use crate::text::{error_at, Lines};
+use crate::text::{error_at, Lines, Word};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 
-/// Where the words of a hierarchy stand in the file: per line the parent, then its children.
-pub(super) type FamilyPositions = Vec<Vec<usize>>;
+/// Where the words of a hierarchy stand in the file: line by line the parent, then its children.
+pub(super) type FamilyPositions = Vec<usize>;
 
 /// Reads `[begin] { parent { child } } [end]`.
 pub(super) fn read_hierarchy(lines: &mut Lines<'_>) -> Result<(Vec<Family>, FamilyPositions), ParseError> {
@@ -27,9 +27,9 @@ pub(super) fn read_hierarchy(lines: &mut Lines<'_>) -> Result<(Vec<Family>, Fami
             };
         } else {
             let children: Vec<_> = words.collect();
-            positions.push(std::iter::once(parent.at).chain(children.iter().map(|child| child.at)).collect());
-            families
-                .push(Family { parent: parent.text(), children: children.iter().map(|child| child.text()).collect() });
+            positions.push(parent.at);
+            positions.extend(children.iter().map(|child| child.at));
+            families.push(Family { parent: parent.text(), children: children.iter().map(Word::text).collect() });
         }
     }
     match lines.peek_words().and_then(|mut words| words.next()) {
@@ -44,7 +44,7 @@ pub(super) fn check_hierarchy(
     source: &[u8],
     asf: &Asf,
     bone_positions: &[usize],
-    family_positions: &FamilyPositions,
+    family_positions: &[usize],
 ) -> Result<(), ParseError> {
     let mut nodes = HashMap::with_capacity(asf.bones.len());
     for ((index, bone), at) in asf.bones.iter().enumerate().zip(bone_positions) {
@@ -54,9 +54,10 @@ pub(super) fn check_hierarchy(
         }
     }
     let mut parents: Vec<Option<usize>> = vec![None; asf.bones.len() + 1];
-    for (family, positions) in asf.hierarchy.iter().zip(family_positions) {
+    let mut positions = family_positions.iter();
+    for family in &asf.hierarchy {
         let mut parent = None;
-        for (name, at) in std::iter::once(&family.parent).chain(&family.children).zip(positions) {
+        for (name, at) in std::iter::once(&family.parent).chain(&family.children).zip(positions.by_ref()) {
             let unexpected = |expected: &str| error_at(source, *at, expected, format_args!("`{name}`"));
             let node = node_of(&nodes, name).ok_or_else(|| unexpected("the name of a bone of `:bonedata`"))?;
             let Some(parent) = parent else {

@@ -17,12 +17,16 @@
 //! A file that ends early is refused, unless all that is lost comes after the last word.
 
 mod bone;
+mod build;
 mod hierarchy;
 mod read;
 mod skeleton;
+#[cfg(test)]
+mod tests;
 mod unit;
 mod write;
 
+pub(crate) use build::file_names;
 pub(crate) use skeleton::rotation_order;
 
 use super::AngleUnit;
@@ -55,7 +59,7 @@ pub struct Asf {
 pub struct Units {
     /// What a mass is to be multiplied by.
     pub mass: Option<f64>,
-    /// What a length is to be divided by; more than 0.
+    /// What a length is to be divided by; from 1e-9 to 1e9.
     pub length: Option<f64>,
     /// The unit of angles; degrees where the file does not say.
     pub angle: Option<AngleUnit>,

@@ -17,11 +17,15 @@ impl Asf {
         self.write_units(&mut out);
         if let Some(lines) = &self.documentation {
             out.line(0, &[":documentation"]);
-            lines.iter().for_each(|line| out.raw(line));
+            for line in lines {
+                out.raw(line);
+            }
         }
         self.write_root(&mut out);
         out.line(0, &[":bonedata"]);
-        self.bones.iter().for_each(|bone| write_bone(bone, &mut out));
+        for bone in &self.bones {
+            write_bone(bone, &mut out);
+        }
         out.line(0, &[":hierarchy"]);
         out.line(1, &["begin"]);
         for family in &self.hierarchy {
@@ -31,7 +35,9 @@ impl Asf {
         out.line(1, &["end"]);
         for section in &self.others {
             out.line(0, &[&section.name, &section.value]);
-            section.lines.iter().for_each(|line| out.raw(line));
+            for line in &section.lines {
+                out.raw(line);
+            }
         }
         out.0
     }
@@ -48,7 +54,9 @@ impl Asf {
             Some(AngleUnit::Radians) => out.line(1, &["angle", "rad"]),
             None => {}
         }
-        self.units.others.iter().for_each(|line| out.line(1, &[line]));
+        for line in &self.units.others {
+            out.line(1, &[line]);
+        }
     }
 
     fn write_root(&self, out: &mut Writer) {
@@ -57,7 +65,9 @@ impl Asf {
         out.line(1, &["axis", order_word(self.root.axis)]);
         out.numbers(1, "position", &self.root.position, "");
         out.numbers(1, "orientation", &self.root.orientation, "");
-        self.root.others.iter().for_each(|line| out.line(1, &[line]));
+        for line in &self.root.others {
+            out.line(1, &[line]);
+        }
     }
 }
 
@@ -82,7 +92,9 @@ fn write_bone(bone: &AsfBone, out: &mut Writer) {
     if !bone.centre_of_mass.is_empty() {
         out.numbers(2, "cofmass", &bone.centre_of_mass, "");
     }
-    bone.others.iter().for_each(|line| out.line(2, &[line]));
+    for line in &bone.others {
+        out.line(2, &[line]);
+    }
     out.line(1, &["end"]);
 }
 

@@ -1,0 +1,1 @@
+"""Motion <-> F-curves: reading what is there, noticing hand edits, writing what changes."""

@@ -1,0 +1,1 @@
+"""Decisions as plain Python: values in, values out. Nothing here imports bpy."""

@@ -1,0 +1,136 @@
+"""Adding a motion file to an armature, as a track on top of its stack."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
+from bpy_extras.io_utils import ImportHelper
+
+from .. import properties, tracks
+from . import import_file, outcome, target
+
+if TYPE_CHECKING:
+    from bpy.types import Context, Event, UILayout
+
+SETTINGS = (
+    "rate_hz",
+    "cut_start",
+    "cut_end",
+    "scale_start",
+    "scale_end",
+    "blend_depth",
+    "preserve",
+    "preserve_rotation",
+    "preserve_height",
+    "discard",
+    "blend",
+    "sampling",
+)
+"""Options that become settings of the entry, under the same names."""
+
+
+def _frame(texts: tuple[str, str], low: int = -properties.FRAME_LIMIT) -> object:
+    name, description = texts
+    return IntProperty(name=name, description=description, min=low, max=properties.FRAME_LIMIT)
+
+
+class MOTION_THEATER_OT_add_track(bpy.types.Operator, ImportHelper):
+    """Add a motion file as a track to the active armature. Without a fitting armature its skeleton is imported first"""
+
+    bl_idname = "motion_theater.add_track"
+    bl_label = "Add Motion Track"
+    bl_options = {"REGISTER", "UNDO", "PRESET"}
+
+    filename_ext = ".amc"
+    filepath: import_file.path()
+    filter_glob: StringProperty(default="*.amc", options={"HIDDEN"})
+    skeleton: StringProperty(
+        name="Skeleton",
+        description="The skeleton file of this motion, where it is not that of the armature. Empty looks for it",
+        subtype="FILE_PATH",
+        options={"SKIP_SAVE"},
+    )
+    selected_only: BoolProperty(name="Selected Bones Only", description="Add motion to the selected bones only")
+    bone_collection: StringProperty(
+        name="Bone Collection", description="Add motion to the bones of this collection only", options={"SKIP_SAVE"}
+    )
+    cut_start: _frame(properties.CUT_START)
+    cut_end: _frame(properties.CUT_END)
+    scale_start: _frame(properties.SCALE_START)
+    scale_end: _frame(properties.SCALE_END)
+    blend_depth: _frame(properties.BLEND_DEPTH, low=0)
+    preserve: BoolProperty(
+        name="Preserve Position",
+        description="Continue from where the old motion left the root. Excludes blending",
+    )
+    preserve_rotation: EnumProperty(
+        name="Rotation",
+        description="How far the new motion is turned to continue the old one",
+        items=properties.ROTATION_ALIGNMENTS,
+    )
+    preserve_height: BoolProperty(
+        name="Height",
+        description="Continue at the old height of the root as well, not only at its place on the ground",
+    )
+    discard: BoolProperty(
+        name="Discard Old Motion",
+        description="Remove the old motion of these bones before the new one is added",
+    )
+    blend: EnumProperty(name="Blend", description="How rotations are blended", items=properties.BLENDS)
+    sampling: EnumProperty(
+        name="Sampling", description="How values between two frames of the file are found", items=properties.SAMPLINGS
+    )
+    rate: EnumProperty(
+        name="Frame Rate", description="How the rate of the file meets that of the scene", items=properties.RATES
+    )
+    rate_hz: FloatProperty(
+        name="Samples per Second",
+        description="The rate of the file, where its own is missing or wrong. Zero takes the rate of the file",
+        min=0.0,
+        soft_max=1000.0,
+    )
+    scene_range: EnumProperty(
+        name="Scene Range",
+        description="What becomes of the frame range of the scene",
+        items=properties.SCENE_RANGES,
+    )
+
+    def invoke(self, context: Context, event: Event) -> set[str]:
+        return import_file.ask(self, context)
+
+    def execute(self, context: Context) -> set[str]:
+        request = tracks.Request(
+            path=self.filepath,
+            skeleton=bpy.path.abspath(self.skeleton) if self.skeleton else "",
+            selected_only=self.selected_only,
+            bone_collection=self.bone_collection,
+            rate=self.rate,
+            scene_range=self.scene_range,
+            settings={name: getattr(self, name) for name in SETTINGS},
+        )
+        ob = target.armature(context)
+        return outcome.carry_out(self, context, lambda: tracks.add_track(context, ob, request))
+
+    def draw(self, context: Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        layout.prop(self, "selected_only")
+        _draw_group(layout, self, "cut_start", "cut_end")
+        _draw_group(layout, self, "scale_start", "scale_end")
+        _draw_group(layout, self, "blend_depth", "blend", "discard")
+        _draw_group(layout, self, "preserve")
+        if self.preserve:
+            _draw_group(layout, self, "preserve_rotation", "preserve_height")
+        _draw_group(layout, self, "rate", "rate_hz", "sampling", "scene_range")
+
+
+def _draw_group(layout: UILayout, operator: bpy.types.Operator, *names: str) -> None:
+    column = layout.column(align=True)
+    for name in names:
+        column.prop(operator, name)
+
+
+CLASSES = (MOTION_THEATER_OT_add_track,)

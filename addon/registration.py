@@ -1,0 +1,46 @@
+"""Everything the add-on makes known to Blender, as lists; `unregister` goes through them backwards."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import preferences, properties
+from .operators import add_track, edits, entries, import_skeleton, sources
+from .operators import filter as filter_operator
+from .panels import combine, entry, files, filters, stack
+
+# What a class refers to comes before it: an entry before the stack, a panel before its sub-panels.
+CLASSES = (
+    *properties.CLASSES,
+    *preferences.CLASSES,
+    *import_skeleton.CLASSES,
+    *add_track.CLASSES,
+    *filter_operator.CLASSES,
+    *entries.CLASSES,
+    *edits.CLASSES,
+    *sources.CLASSES,
+    *stack.CLASSES,
+    *entry.CLASSES,
+    *combine.CLASSES,
+    *filters.CLASSES,
+    *files.CLASSES,
+)
+MENUS = ((bpy.types.TOPBAR_MT_file_import, files.draw_import_menu),)
+
+
+def register() -> None:
+    """Make everything known."""
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    properties.register_pointers()
+    for menu, draw in MENUS:
+        menu.append(draw)
+
+
+def unregister() -> None:
+    """Take everything back, last first."""
+    for menu, draw in reversed(MENUS):
+        menu.remove(draw)
+    properties.unregister_pointers()
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,161 @@
+"""Adding a motion file to an armature: which armature, which skeleton, which bones, which rate."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from . import rig, scene, skeletons, sources, stack
+from .logic import axes, names
+from .logic.extent import ASSUMED_RATE_HZ
+from .logic.messages import (
+    NO_BONES_SELECTED,
+    UserError,
+    base_name,
+    misfit,
+    sentences,
+    track_added,
+)
+
+if TYPE_CHECKING:
+    from bpy.types import Context, Object
+
+    from .logic.ranges import Choice
+
+
+@dataclass(frozen=True)
+class Request:
+    """What the user asked for."""
+
+    path: str
+    skeleton: str = ""
+    """The skeleton file; empty: that of the armature, or the one that is found."""
+    selected_only: bool = False
+    bone_collection: str = ""
+    rate: str = "RESAMPLE"
+    scene_range: Choice = "EXTEND"
+    settings: Mapping[str, object] = field(default_factory=dict)
+    """Settings of the entry, by the names of its properties."""
+
+
+def chosen_bones(ob: Object | None, *, selected_only: bool, bone_collection: str = "") -> list[str] | None:
+    """Return the bones that the user means, None for all. Selected bones go before a collection."""
+    if not selected_only and not bone_collection:
+        return None
+    if selected_only:
+        found = rig.selected_bones(ob) if ob is not None else []
+        if not found:
+            raise UserError(NO_BONES_SELECTED)
+        return found
+    found = rig.bones_of_collection(ob, bone_collection) if ob is not None else []
+    if not found:
+        raise UserError(f"The armature has no bones in a collection “{bone_collection}”")
+    return found
+
+
+def add_track(context: Context, ob: Object | None, request: Request) -> str:
+    """Add a motion file as a track; return the message for the user. Run inside `scene.unchanged_on_error`."""
+    loaded = sources.read_file(request.path)
+    if not loaded.clip.frames:
+        raise UserError(f"{base_name(request.path)} holds no motion: choose an .amc file")
+    bones = chosen_bones(ob, selected_only=request.selected_only, bone_collection=request.bone_collection)
+    ob, skeleton_text, told = _armature_for(context, ob, loaded, request, may_import=bones is None)
+    rate_hz = _rate_of(loaded, request)
+    if request.rate == "SCENE":
+        scene.set_rate(context.scene, rate_hz)
+    entry = stack.add_entry(
+        ob,
+        "TRACK",
+        name=PurePath(base_name(request.path)).stem,
+        source=sources.full_path(request.path),
+        skeleton_text=skeleton_text,
+        all_bones=bones is None,
+        bones=names.join(bones or ()),
+        keys="SAMPLES" if request.rate == "SAMPLES" else "FRAMES",
+        **request.settings,
+    )
+    tracks = [track for track in stack.of(ob).entries if track.kind == "TRACK" and track.enabled]
+    start, end = min(track.result_start for track in tracks), max(track.result_end for track in tracks)
+    scene.apply_range(context.scene, request.scene_range, start, end)
+    count = len(ob.data.bones) if bones is None else len(bones)
+    added = track_added(request.path, count, entry.result_start, entry.result_end)
+    message = sentences([*told, added, *loaded.clip.notices, *names.split(entry.notices)])
+    stack.of(ob).message = message
+    return message
+
+
+def _rate_of(loaded: sources.Loaded, request: Request) -> float:
+    asked = request.settings.get("rate_hz")
+    return (asked if isinstance(asked, float) and asked else loaded.clip.rate_hz) or ASSUMED_RATE_HZ
+
+
+def _armature_for(
+    context: Context, ob: Object | None, loaded: sources.Loaded, request: Request, *, may_import: bool
+) -> tuple[Object, str, list[str]]:
+    """Return the armature for a motion, the skeleton text that its track needs for itself, and what was done for it.
+
+    The given armature is taken if the motion fits it. Else, if all bones are meant, the motion's own skeleton is
+    imported.
+    """
+    if ob is not None:
+        reason = rig.writable_reason(ob)
+        if reason:
+            raise UserError(reason)
+        try:
+            return ob, *_fitted(ob, loaded, request)
+        except UserError:
+            if not may_import:
+                raise
+            misfitting = ob
+            try:
+                path, reason = _skeleton_file(loaded, request)
+            except UserError:
+                path = ""
+            if not path or _same_bones(misfitting, path):
+                raise
+    else:
+        path, reason = _skeleton_file(loaded, request)
+    ob, told = skeletons.import_skeleton(context, path)
+    taken = f"Took {base_name(path)}, because {reason}" if reason else ""
+    return ob, "", [taken, *told]
+
+
+def _skeleton_file(loaded: sources.Loaded, request: Request) -> tuple[str, str]:
+    """Return the skeleton file of a motion, and why it was taken; no reason where the user named it."""
+    if request.skeleton:
+        sources.bind(loaded, sources.text_of(sources.read_file(request.skeleton)))
+        return request.skeleton, ""
+    _, path, reason = sources.find_skeleton(request.path, loaded)
+    return path, reason
+
+
+def _same_bones(ob: Object, path: str) -> bool:
+    """Return whether an armature has all bones of a skeleton file, so that importing it would not help."""
+    skeleton = sources.as_skeleton(sources.read_file(path))
+    return len(sources.matched_bones(stack.of(ob), skeleton, ob.data.bones.keys())) == len(skeleton.names)
+
+
+def _fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, list[str]]:
+    """Return the skeleton text that a track on this armature needs for itself, and what is to be said about it."""
+    motion = stack.of(ob)
+    told: list[str] = []
+    own = motion.skeleton_text
+    if request.skeleton or not own:
+        path, reason = _skeleton_file(loaded, request)
+        text = sources.text_of(sources.read_file(path))
+        if reason:
+            told.append(f"Took {base_name(path)}, because {reason}")
+    else:
+        text = own
+    skeleton = sources.skeleton_from_text(text)
+    sources.bind(loaded, text)
+    missing = sources.missing_bones(loaded, sources.matched_bones(motion, skeleton, ob.data.bones.keys()))
+    if missing:
+        raise UserError(misfit(loaded.clip.path, missing, ob.name))
+    if text == own:
+        return "", told
+    if not own:
+        told.append(f"The armature is taken to be {axes.up_axis(skeleton.up)} up in the file and Z up in Blender")
+    return text, told

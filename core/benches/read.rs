@@ -1,0 +1,122 @@
+//! How fast an AMC is read, against the physical limit of reading its numbers alone.
+//!
+//! `cargo bench -p motion-theater-core --bench read -- FILE.amc FILE.asf`; without files, the first of the usual ones
+//! that is there. Every figure is the median of runs that take turns in one process; the best run stands beside it, for on a machine that
+//! is busy otherwise the median tells more about the rest of it.
+//!
+//! - *numbers*: the limit. The same numbers read with the same parser from a text that holds nothing else, into room that
+//!   is there already.
+//! - *amc*: the file's bytes, with names, frames and checks, into an [`Amc`] made anew each time.
+//! - *motion*: from there to quaternions in the file's axes, on all threads.
+//! - *disk*: from the path to the `Amc`.
+
+use motion_theater_core::formats::{amc::Amc, asf::Asf};
+use motion_theater_core::number::read_prefix;
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Odd, so that the median is one of them.
+const RUNS: usize = 31;
+
+const USUAL_FILES: [(&str, &str); 2] = [
+    ("../shared/data/asf_amc/cmu01/01_01.amc", "../shared/data/asf_amc/cmu01/01.asf"),
+    ("testdata/walk.amc", "testdata/human.asf"),
+];
+
+fn main() {
+    let files: Vec<PathBuf> =
+        std::env::args().skip(1).filter(|word| !word.starts_with("--")).map(PathBuf::from).collect();
+    let Some((motion_file, skeleton_file)) = choose(&files) else {
+        println!("Nothing to measure: name a motion (.amc) and, for its conversion, a skeleton (.asf)");
+        return;
+    };
+    let source = std::fs::read(&motion_file).expect("the motion can be read");
+    let amc = Amc::parse(&source).expect("the motion is an AMC");
+    let numbers = numbers_alone(&source);
+    let mut room = Vec::with_capacity(amc.values.len());
+    println!("{}: {} bytes, {} values", motion_file.display(), source.len(), amc.values.len());
+
+    // By turns, so that whatever else the machine does meanwhile slows all of them down alike.
+    let [limit, parse, disk] = measure([
+        &mut || {
+            room.clear();
+            read_numbers(&numbers, &mut room);
+        },
+        &mut || drop(black_box(Amc::parse(black_box(&source)).ok())),
+        &mut || drop(black_box(std::fs::read(&motion_file).map(|source| Amc::parse(&source)).ok())),
+    ]);
+    assert_eq!(room, amc.values, "both read the same numbers");
+    let row = |name: &str, bytes: usize, time: Time| {
+        let speed = bytes as f64 / time.median_s * 1e-6;
+        let share = limit.median_s / time.median_s;
+        let best_share = limit.best_s / time.best_s;
+        println!("{name:8} {time}  {speed:5.0} MB/s  {share:.2} of the limit (best {best_share:.2})");
+    };
+    row("numbers", numbers.len(), limit);
+    row("amc", source.len(), parse);
+    row("disk", source.len(), disk);
+    if let Some(skeleton_file) = skeleton_file {
+        let skeleton = std::fs::read(&skeleton_file).expect("the skeleton can be read");
+        let skeleton = Asf::parse(&skeleton).expect("the skeleton is an ASF").skeleton();
+        let [motion] = measure([&mut || drop(black_box(amc.motion(black_box(&skeleton)).ok()))]);
+        println!("motion   {motion}");
+    }
+}
+
+/// Returns the files that were named, or the first usual pair that is there.
+fn choose(files: &[PathBuf]) -> Option<(PathBuf, Option<PathBuf>)> {
+    if let [motion, rest @ ..] = files {
+        return Some((motion.clone(), rest.first().cloned()));
+    }
+    let project = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let usual = USUAL_FILES.map(|(motion, skeleton)| (project.join(motion), Some(project.join(skeleton))));
+    usual.into_iter().find(|(motion, _)| motion.is_file())
+}
+
+/// Returns the values of all bones, with one blank between: no names, no frame numbers.
+fn numbers_alone(source: &[u8]) -> Vec<u8> {
+    let lines = source.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    let values = lines
+        .filter(|line| !line.starts_with(b"#") && !line.starts_with(b":"))
+        .flat_map(|line| line.split(|byte| *byte == b' ').skip(1).filter(|word| !word.is_empty()));
+    let mut numbers = values.collect::<Vec<_>>().join(&b' ');
+    numbers.push(b'\n');
+    numbers
+}
+
+fn read_numbers(mut text: &[u8], values: &mut Vec<f64>) {
+    while let Some((value, length)) = read_prefix(text) {
+        values.push(value);
+        text = text.get(length + 1..).unwrap_or_default();
+    }
+}
+
+/// How long something took.
+#[derive(Clone, Copy)]
+struct Time {
+    median_s: f64,
+    best_s: f64,
+}
+
+impl std::fmt::Display for Time {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:7.3} ms (best {:.3})", self.median_s * 1e3, self.best_s * 1e3)
+    }
+}
+
+/// Runs each by turns.
+fn measure<const N: usize>(mut runs: [&mut dyn FnMut(); N]) -> [Time; N] {
+    let mut times = [[0.0; RUNS]; N];
+    for round in 0..RUNS {
+        for (run, times) in runs.iter_mut().zip(&mut times) {
+            let start = Instant::now();
+            run();
+            times[round] = start.elapsed().as_secs_f64();
+        }
+    }
+    times.map(|mut times| {
+        times.sort_by(f64::total_cmp);
+        Time { median_s: times[RUNS / 2], best_s: times[0] }
+    })
+}

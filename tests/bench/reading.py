@@ -1,0 +1,44 @@
+"""Reading an AMC: against the physical limit on the same bytes, and against plain Python."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterator
+
+import motion_theater as mt
+from tests.bench.files import ROOT, Take, take
+from tests.bench.plain_amc import read_amc
+from tests.bench.timing import Row, medians_s, ms
+
+
+def measure() -> Iterator[Row]:
+    """Yield the rows of the table."""
+    measured = take()
+    yield _against_the_limit(measured)
+    yield from _against_plain_python(measured)
+
+
+def _against_the_limit(measured: Take) -> Row:
+    """The limit is measured in Rust, in one process: the same numbers read from a text that holds nothing else."""
+    command = ["cargo", "bench", "--quiet", "--locked", "--package", "motion-theater-core", "--bench", "read", "--"]
+    done = subprocess.run(
+        [*command, measured.amc, measured.asf], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True
+    )
+    times = {name: float(time) for name, time in re.findall(r"^(\w+) +([\d.]+) ms", done.stdout, re.MULTILINE)}
+    detail = f"{times['amc']:.3g} ms, its numbers alone {times['numbers']:.3g} ms"
+    return Row("AMC bytes read, one thread, share of the limit", times["numbers"] / times["amc"], 0.5, detail=detail)
+
+
+def _against_plain_python(measured: Take) -> Iterator[Row]:
+    """Plain Python gives lists of numbers; ours the same as arrays, and in the second row rotations on the skeleton."""
+    skeleton = mt.read(measured.asf).skeleton
+    tasks = {
+        "AMC file read, against plain Python": lambda: mt.read(measured.amc),
+        "AMC file to rotations on its skeleton, against plain reading": lambda: mt.read(
+            measured.amc, skeleton=skeleton
+        ),
+    }
+    for what, ours in tasks.items():
+        ours_s, theirs_s = medians_s(ours, lambda: read_amc(measured.amc))
+        yield Row(what, theirs_s / ours_s, 20, detail=f"{ms(ours_s)}, {ms(theirs_s)}")

@@ -1,0 +1,45 @@
+"""The documents: their examples run, their links lead somewhere, every operator has its page."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENTS = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+EXAMPLES = [
+    pytest.param(code, id=f"{document.name}-{number}")
+    for document in DOCUMENTS
+    for number, code in enumerate(re.findall(r"^```python\n(.*?)^```", document.read_text("utf-8"), re.M | re.S))
+]
+OPERATORS = sorted(
+    name
+    for path in (ROOT / "addon/operators").glob("*.py")
+    for name in re.findall(r'bl_idname = "motion_theater\.(\w+)"', path.read_text("utf-8"))
+)
+
+documents = pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: str(path.relative_to(ROOT)))
+
+
+@pytest.mark.parametrize("code", EXAMPLES)
+def test_an_example_runs_and_prints_something(
+    code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(ROOT)
+    exec(compile(code, "example", "exec"), {})
+    assert capsys.readouterr().out.strip()
+
+
+@documents
+def test_every_link_to_a_file_leads_somewhere(document: Path) -> None:
+    targets = re.findall(r"\]\(([^)#\s]+)", document.read_text("utf-8"))
+    missing = [target for target in targets if "://" not in target and not (document.parent / target).exists()]
+    assert missing == []
+
+
+@pytest.mark.parametrize("operator", OPERATORS)
+def test_every_operator_has_its_page_in_the_list(operator: str) -> None:
+    assert (ROOT / f"docs/operators/{operator}.md").is_file()
+    assert f"](operators/{operator}.md)" in (ROOT / "docs/README.md").read_text("utf-8")
