@@ -9,10 +9,10 @@
 //! little more than looking at every number once; [`C3d::markers`] makes plain data of it.
 
 mod compose;
-mod data;
 mod encode;
 mod encoding;
 mod events;
+mod frames;
 mod header;
 mod layout;
 mod markers;
@@ -20,9 +20,11 @@ mod parameters;
 mod section;
 #[cfg(test)]
 mod tests;
+mod turn;
 mod vax;
 
 pub use encoding::{Encoding, Processor, Storage};
+pub use frames::Frames;
 pub use header::{Header, HeaderEvent};
 pub use layout::Layout;
 pub use parameters::{Group, Parameter, ParameterType};
@@ -32,6 +34,7 @@ use crate::error::ParseError;
 use crate::formats::kind::{recognise, Kind};
 use header::{BLOCK_BYTES, KEY};
 use parameters::Index;
+use std::sync::Arc;
 
 /// Where the parameter section is where the file does not say.
 const USUAL_PARAMETER_BLOCK: u8 = 2;
@@ -39,10 +42,9 @@ const USUAL_PARAMETER_BLOCK: u8 = 2;
 /// What a C3D file says, in its own units and order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct C3d {
-    bytes: Vec<u8>,
+    frames: Frames,
     header: Header,
     index: Index,
-    layout: Layout,
     notices: Vec<String>,
 }
 
@@ -62,7 +64,7 @@ impl C3d {
         let limit = if data_start > start { data_start } else { bytes.len() };
         let index = Index::parse(&bytes, start, limit)?;
         let (layout, notices) = layout::decide(&bytes, &header, &index);
-        Ok(Self { bytes, header, index, layout, notices })
+        Ok(Self { frames: Frames { bytes: Arc::new(bytes), layout, processor }, header, index, notices })
     }
 
     /// Returns the header.
@@ -72,39 +74,41 @@ impl C3d {
 
     /// Returns what lies where in the data, after header, parameters and the size of the file were compared.
     pub fn layout(&self) -> &Layout {
-        &self.layout
+        &self.frames.layout
     }
 
     /// Returns how the file is written.
     pub fn encoding(&self) -> Encoding {
-        Encoding { processor: self.index.processor(), storage: self.layout.storage }
+        Encoding { processor: self.index.processor(), storage: self.frames.layout.storage }
     }
 
     /// Returns the groups in file order.
     pub fn groups(&self) -> impl Iterator<Item = Group<'_>> {
-        self.index.groups(&self.bytes)
+        self.index.groups(self.bytes())
     }
 
     /// Returns the parameters in file order.
     pub fn parameters(&self) -> impl Iterator<Item = Parameter<'_>> {
-        self.index.parameters(&self.bytes)
+        self.index.parameters(self.bytes())
     }
 
     /// Returns a parameter by its group and name; letters match in either case, the first one counts.
     pub fn parameter(&self, group: &str, name: &str) -> Option<Parameter<'_>> {
-        self.index.find(&self.bytes, group, name)
+        self.index.find(self.bytes(), group, name)
     }
 
     /// Returns the bytes of the declared frames.
     pub fn data(&self) -> &[u8] {
-        let start = self.layout.data_start;
-        let length = self.layout.frame_count * self.layout.frame_bytes();
-        self.bytes.get(start..start + length).unwrap_or_default()
+        self.frames.data()
+    }
+
+    fn bytes(&self) -> &[u8] {
+        &self.frames.bytes
     }
 
     /// Returns the file as it was read.
     pub fn to_bytes(&self) -> Vec<u8> {
-        self.bytes.clone()
+        self.bytes().to_vec()
     }
 
     /// Returns what is odd in the file and what was done about it, a sentence each.
