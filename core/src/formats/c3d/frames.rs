@@ -5,6 +5,7 @@
 
 use super::encoding::{Processor, Storage};
 use super::layout::Layout;
+use crate::text::LARGEST;
 use std::sync::Arc;
 
 /// The word of a sample that is none.
@@ -60,7 +61,7 @@ impl Frames {
                 (!is_gap(word)).then_some([x, y, z])
             }
         };
-        position.filter(|position| position.iter().all(|x| x.is_finite()))
+        position.filter(is_place)
     }
 
     /// Returns the word of cameras and residual: negative in a gap, 0 where a file has no such word.
@@ -135,6 +136,13 @@ pub(super) fn word_of(number: f32) -> Option<i16> {
     } else {
         None
     }
+}
+
+/// Whether coordinates can be those of a place, and are no damage.
+#[inline]
+pub(super) fn is_place(position: &[f32; 3]) -> bool {
+    // What is no number is not smaller than anything.
+    position.iter().all(|x| x.abs() <= LARGEST as f32)
 }
 
 /// Whether a floating-point word marks a gap, as [`word_of`] has it.

@@ -127,7 +127,9 @@ impl C3d {
     }
 
     fn series<'a>(&'a self, group: &'a str, name: &'a str) -> impl Iterator<Item = Parameter<'a>> {
-        let more = (2..).map_while(move |number| self.parameter(group, &format!("{name}{number}")));
+        // More than there can be points or channels is damage.
+        const MOST: usize = u16::MAX as usize / u8::MAX as usize + 1;
+        let more = (2..=MOST).map_while(move |number| self.parameter(group, &format!("{name}{number}")));
         let first = self.parameter(group, name);
         let is_full = first.and_then(|first| first.dimensions.last().copied()) == Some(u8::MAX);
         first.into_iter().chain(more.take(if is_full { usize::MAX } else { 0 }))
@@ -149,5 +151,13 @@ fn parameter_start(bytes: &[u8]) -> Result<usize, ParseError> {
         return Err(error_at(1, format_args!("{}, with {KEY:#04x} in its second byte", Kind::C3d), found));
     };
     let block = if block == 0 { USUAL_PARAMETER_BLOCK } else { block };
-    Ok((usize::from(block) - 1) * BLOCK_BYTES)
+    let start = (usize::from(block) - 1) * BLOCK_BYTES;
+    // Others have that byte too, pictures (PNG) among them.
+    if let Some(kind @ Kind::Foreign(_)) = recognise(bytes) {
+        let is_processor = bytes.get(start + 3).is_some_and(|number| Processor::of_number(*number).is_some());
+        if !is_processor {
+            return Err(error_at(0, Kind::C3d, kind));
+        }
+    }
+    Ok(start)
 }

@@ -3,7 +3,7 @@
 //! A block of frames is turned at a time, few enough to stay in the cache while every point takes its samples from them.
 
 use super::encoding::{Processor, Storage};
-use super::frames::{is_gap, word_of, Frames, GAP};
+use super::frames::{is_gap, is_place, word_of, Frames, GAP};
 use super::vax;
 
 /// How many bytes of frames are turned at a time.
@@ -30,7 +30,7 @@ impl Frames {
             Storage::Float => self.turn(|b: &[u8; 16]| {
                 let [x, y, z, word] = four(b, |bytes| processor.f32(bytes));
                 let word = word_of(word).unwrap_or(0);
-                [if [x, y, z].iter().all(|x| x.is_finite()) { word } else { word | GAP }]
+                [if is_place(&[x, y, z]) { word } else { word | GAP }]
             }),
         }
     }
@@ -72,14 +72,14 @@ impl Frames {
     }
 
     fn unscaled(&self, read: impl Fn([u8; 4]) -> f32) -> Vec<f32> {
-        let mut is_finite = true;
+        let mut are_places = true;
         let mut positions = self.turn(|b: &[u8; 16]| {
             let [x, y, z, word] = four(b, &read);
-            is_finite &= [x, y, z].iter().all(|x| x.abs() < f32::INFINITY);
+            are_places &= is_place(&[x, y, z]);
             let gap = mask(is_gap(word));
             [or(x, gap), or(y, gap), or(z, gap)]
         });
-        if !is_finite {
+        if !are_places {
             mark_damaged(&mut positions);
         }
         positions
@@ -133,7 +133,7 @@ fn or(x: f32, mask: u32) -> f32 {
 #[cold]
 fn mark_damaged(positions: &mut [f32]) {
     for position in positions.as_chunks_mut::<3>().0 {
-        if !position.iter().all(|x| x.is_finite()) {
+        if !is_place(position) {
             *position = [f32::NAN; 3];
         }
     }
