@@ -44,19 +44,38 @@ impl Amc {
     }
 }
 
-/// Returns the skeleton with the degrees of freedom that `motion` needs. Those of a bone stay as they are where they
-/// are enough.
+/// Returns the skeleton with the degrees of freedom that `motion` needs, as the format has them: each once, rotations in
+/// the order in which they are applied. Those of a bone stay as they are where they are so and are enough.
 pub fn with_dofs_for(skeleton: &Skeleton, motion: &Motion) -> Skeleton {
     let mut skeleton = skeleton.clone();
-    for (bone, channels) in skeleton.bones.iter_mut().zip(&motion.bones) {
+    let at_rest = BoneMotion::default();
+    for (bone, channels) in skeleton.bones.iter_mut().zip(motion.bones.iter().chain(std::iter::repeat(&at_rest))) {
         let needed = needed_dofs(bone, channels);
-        if needed.iter().any(|dof| !bone.dofs.contains(dof)) {
+        let is_enough = needed.iter().all(|dof| bone.dofs.contains(dof));
+        let own = in_acclaim_order(bone);
+        let is_in_order = own.len() == bone.dofs.len() && is_same_order(&own, &bone.dofs);
+        if !is_enough {
             bone.order = rotation_order(&needed);
             bone.dofs = needed;
+            bone.limits.clear();
+        } else if !is_in_order {
+            bone.dofs = own;
             bone.limits.clear();
         }
     }
     skeleton
+}
+
+/// Returns a bone's degrees of freedom, each once: a BVH lists the rotation first that is applied last.
+fn in_acclaim_order(bone: &Bone) -> Vec<Dof> {
+    let all = (0..3).map(Dof::Translate).chain(bone.order.axes().map(Dof::Rotate)).chain([Dof::Length]);
+    all.filter(|dof| bone.dofs.contains(dof)).collect()
+}
+
+/// Whether two lists have the same rotations in the same order; what else there is may stand anywhere.
+fn is_same_order(a: &[Dof], b: &[Dof]) -> bool {
+    let is_rotation = |dof: &&Dof| matches!(dof, Dof::Rotate(_));
+    a.iter().filter(is_rotation).eq(b.iter().filter(is_rotation))
 }
 
 /// Returns translations, rotations in the bone's order and length, as far as any frame moves them. Without angles of the
