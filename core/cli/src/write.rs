@@ -12,13 +12,16 @@ use motion_theater_core::formats::AngleUnit;
 use motion_theater_core::markers::{Markers, PointKind};
 use motion_theater_core::read::Format;
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
-use motion_theater_core::{Motion, ParameterError, Skeleton};
+use motion_theater_core::{Dof, Motion, ParameterError, Skeleton};
 
 use crate::folder::format_of;
 use crate::joints_as_markers::joints_as_markers;
 use crate::load::Loaded;
 use crate::store::store;
 use crate::WrongUse;
+
+/// An angle below this is lost in what any capture resolves: a hundredth of a degree.
+const TRACE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
 
 /// Files that are to be written together.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -107,8 +110,9 @@ pub fn of_motion(
         }
         _ if !has_frames => Err(format!("{}: there is no motion in it", loaded.path.display())),
         Format::Amc => {
-            let needed = with_dofs_for(skeleton, motion);
-            let amc = Amc::from_motion(&needed, motion, AngleUnit::Degrees).to_bytes();
+            let motion = without_traces(skeleton, motion);
+            let needed = with_dofs_for(skeleton, &motion);
+            let amc = Amc::from_motion(&needed, &motion, AngleUnit::Degrees).to_bytes();
             let mut files = Files::one(output, amc);
             if loaded.clip.format != Format::Amc || needed != *skeleton {
                 files.files.insert(0, (output.with_extension("asf"), Asf::from_skeleton(&needed).to_bytes()));
@@ -117,6 +121,20 @@ pub fn of_motion(
         }
         _ => of_markers(loaded, &joints_as_markers(&loaded.clip, skeleton, motion), format, output),
     }
+}
+
+/// Returns a motion without angles of degrees of freedom that its bones do not have, where these never amount to anything:
+/// the mean of rotations about two axes has a trace of the third, and is no reason for another skeleton.
+fn without_traces(skeleton: &Skeleton, motion: &Motion) -> Motion {
+    let mut motion = motion.clone();
+    for (bone, channels) in skeleton.bones.iter().zip(&mut motion.bones) {
+        for axis in (0..3).filter(|axis| !bone.dofs.contains(&Dof::Rotate(*axis))) {
+            if channels.angles.iter().all(|angles| angles[axis].abs() < TRACE_RAD) {
+                channels.angles.iter_mut().for_each(|angles| angles[axis] = 0.0);
+            }
+        }
+    }
+    motion
 }
 
 /// Returns markers in a format, and says what it has no place for.

@@ -49,7 +49,7 @@ fn as_acclaim_names(mut points: Vec<(String, [f64; 3])>) -> Vec<(String, [f64; 3
             *name = format!("bone_{name}");
         }
     }
-    points[0].0 = "root".to_owned();
+    "root".clone_into(&mut points[0].0);
     points
 }
 
