@@ -8,7 +8,7 @@ use motion_theater_core::read::Format;
 use motion_theater_core::sample::Sampling;
 use motion_theater_core::stack::{evaluate_on, on_skeleton, Entry, FilterEntry, Source, Track, ASSUMED_RATE_HZ};
 use motion_theater_core::value::{Blend, FilterChannels};
-use motion_theater_core::{Motion, Skeleton};
+use motion_theater_core::{Markers, Motion, Skeleton};
 
 use crate::arguments::FilterOptions;
 use crate::console::Console;
@@ -34,7 +34,9 @@ fn filter(loaded: &Loaded, options: &FilterOptions, depth: Depth, format: Format
     let kind = options.kind.into();
     if let Some(markers) = &loaded.clip.markers {
         let chosen = chosen(loaded, "marker", markers.names.iter().map(String::as_str), options)?;
-        return of_markers(loaded, &markers.filtered(chosen.as_deref(), kind, depth), format, &options.output);
+        let mut filtered = Markers::clone(markers);
+        filtered.filter(&chosen.unwrap_or_else(|| (0..markers.count()).collect()), kind, depth);
+        return of_markers(loaded, &filtered, format, &options.output);
     }
     let (skeleton, motion) = loaded.moving()?;
     let chosen = chosen(loaded, "bone", skeleton.bones.iter().map(|bone| bone.name.as_str()), options)?;

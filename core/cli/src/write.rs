@@ -20,8 +20,8 @@ use crate::load::Loaded;
 use crate::store::store;
 use crate::WrongUse;
 
-/// An angle below this is lost in what any capture resolves: a hundredth of a degree.
-const TRACE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
+/// An angle below this is lost in what any capture resolves: a tenth of a degree.
+const TRACE_RAD: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
 /// Files that are to be written together.
 #[derive(Debug, Clone, PartialEq, Default)]

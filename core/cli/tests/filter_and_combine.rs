@@ -50,7 +50,7 @@ fn a_filter_changes_its_bones_and_leaves_every_digit_of_the_others() {
 #[test]
 fn a_skeleton_is_written_beside_only_where_its_degrees_of_freedom_are_not_enough() {
     let clips = Clips::new();
-    clips.succeed("filter {}/wave.amc {}/soft.amc --kind weighted --depth 3 --bones rhand");
+    clips.succeed("filter {}/wave.amc {}/soft.amc --kind weighted --depth 5 --bones rhand,rhumerus");
     assert!(!clips.has("soft.asf"), "a trace about a third axis is no reason");
     clips.succeed("filter {}/wave.amc {}/softer.amc --kind average --depth 61");
     assert!(clips.has("softer.asf"));

@@ -75,7 +75,7 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
     if let Some((_, kind)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
         return Some(*kind);
     }
-    if head.contains(&0) {
+    if source.contains(&0) {
         if matches!(head, [block, 0x50, ..] if *block < b' ') {
             return Some(Kind::C3d);
         }
@@ -84,10 +84,6 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
         } else {
             "binary data"
         }));
-    }
-    let control_count = head.iter().filter(|byte| **byte < b' ' && !byte.is_ascii_whitespace()).count();
-    if control_count > head.len() / 16 {
-        return Some(Kind::Foreign("binary data"));
     }
     recognise_acclaim(head)
 }

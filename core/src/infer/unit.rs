@@ -7,11 +7,8 @@ use std::ops::RangeInclusive;
 /// Heights that can be a person's, in metres.
 const PERSON_M: RangeInclusive<f64> = 1.0..=2.2;
 
-/// Heights that grown people have and children may have: only these make an answer certain.
-const USUAL_PERSON_M: RangeInclusive<f64> = 1.35..=2.05;
-
 /// What a figure is scaled to where no unit makes it a person.
-const TYPICAL_PERSON_M: f64 = 1.7;
+const TYPICAL_PERSON_M: f64 = 1.65;
 
 /// A way to understand a file's lengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,15 +34,16 @@ impl Reading {
     }
 }
 
-/// Units in which files are, likely ones first. `true` for those that are common enough to be certain of.
-const UNITS: [(f64, &str, bool); 7] = [
-    (0.01, "centimetres", true),
-    (1.0, "metres", true),
-    (0.0254, "inches", true),
-    (0.0254 / 0.45, "inches / 0.45, as in the public Acclaim data sets", true),
-    (0.001, "millimetres", true),
-    (0.1, "decimetres", false),
-    (0.3048, "feet", false),
+/// Units in which files are, and for the common ones between which heights a figure makes them certain. Nobody is as
+/// tall as the public Acclaim data sets would have to be for an old millimetre file that was taken for inches.
+const UNITS: [(f64, &str, Option<RangeInclusive<f64>>); 7] = [
+    (0.01, "centimetres", Some(1.35..=2.05)),
+    (1.0, "metres", Some(1.35..=2.05)),
+    (0.0254, "inches", Some(1.35..=2.05)),
+    (0.0254 / 0.45, "inches / 0.45, as in the public Acclaim data sets", Some(1.35..=1.85)),
+    (0.001, "millimetres", Some(1.35..=2.05)),
+    (0.1, "decimetres", None),
+    (0.3048, "feet", None),
 ];
 
 /// Nobody moves up and down by more than this many times their own height.
@@ -73,8 +71,8 @@ pub(super) fn unit(body: Option<&Body>, rise: f64) -> Answer<f64> {
     if rise > HIGHEST_JUMP * height {
         return Answer::unsure(metres, format!("{reason}, but it moves as if its positions had another unit"));
     }
-    let is_common = UNITS.iter().any(|(known, _, is_common)| *known == metres && *is_common);
-    if is_common && USUAL_PERSON_M.contains(&(height * metres)) {
+    let sure = UNITS.into_iter().find(|(known, ..)| *known == metres).and_then(|(_, _, heights)| heights);
+    if sure.is_some_and(|heights| heights.contains(&(height * metres))) {
         Answer::certain(metres, reason)
     } else {
         Answer::unsure(metres, reason)

@@ -4,7 +4,7 @@ use super::{Amc, AmcBone, AmcHeader};
 use crate::formats::asf::{file_names, rotation_order, ROOT};
 use crate::formats::AngleUnit;
 use crate::motion::{BoneMotion, Motion};
-use crate::skeleton::{Bone, Dof, EulerOrder, Skeleton};
+use crate::skeleton::{Bone, Dof, EulerOrder, Limit, Skeleton};
 use glam::{DQuat, DVec3, EulerRot};
 
 impl Amc {
@@ -44,38 +44,45 @@ impl Amc {
     }
 }
 
-/// Returns the skeleton with the degrees of freedom that `motion` needs, as the format has them: each once, rotations in
-/// the order in which they are applied. Those of a bone stay as they are where they are so and are enough.
+/// Returns the skeleton with the degrees of freedom that `motion` needs. Those of a bone stay as they are where they
+/// are enough.
 pub fn with_dofs_for(skeleton: &Skeleton, motion: &Motion) -> Skeleton {
     let mut skeleton = skeleton.clone();
     let at_rest = BoneMotion::default();
     for (bone, channels) in skeleton.bones.iter_mut().zip(motion.bones.iter().chain(std::iter::repeat(&at_rest))) {
+        list_rotations_as_applied(bone);
         let needed = needed_dofs(bone, channels);
-        let is_enough = needed.iter().all(|dof| bone.dofs.contains(dof));
-        let own = in_acclaim_order(bone);
-        let is_in_order = own.len() == bone.dofs.len() && is_same_order(&own, &bone.dofs);
-        if !is_enough {
+        if needed.iter().any(|dof| !bone.dofs.contains(dof)) {
             bone.order = rotation_order(&needed);
             bone.dofs = needed;
-            bone.limits.clear();
-        } else if !is_in_order {
-            bone.dofs = own;
             bone.limits.clear();
         }
     }
     skeleton
 }
 
-/// Returns a bone's degrees of freedom, each once: a BVH lists the rotation first that is applied last.
-fn in_acclaim_order(bone: &Bone) -> Vec<Dof> {
-    let all = (0..3).map(Dof::Translate).chain(bone.order.axes().map(Dof::Rotate)).chain([Dof::Length]);
-    all.filter(|dof| bone.dofs.contains(dof)).collect()
-}
-
-/// Whether two lists have the same rotations in the same order; what else there is may stand anywhere.
-fn is_same_order(a: &[Dof], b: &[Dof]) -> bool {
-    let is_rotation = |dof: &&Dof| matches!(dof, Dof::Rotate(_));
-    a.iter().filter(is_rotation).eq(b.iter().filter(is_rotation))
+/// Lists each degree of freedom once, and rotations in the order in which they are applied, as this format does; a BVH
+/// lists them the other way round. Limits stay with theirs.
+fn list_rotations_as_applied(bone: &mut Bone) {
+    let axes = bone.order.axes();
+    let place = |dof: &Dof| match dof {
+        Dof::Translate(_) => 0,
+        Dof::Rotate(axis) => 1 + axes.iter().position(|other| other == axis).unwrap_or_default(),
+        Dof::Length => axes.len() + 1,
+    };
+    let rotations = bone.dofs.iter().filter(|dof| matches!(dof, Dof::Rotate(_))).map(place);
+    if rotations.is_sorted_by(|a, b| a < b) {
+        return;
+    }
+    let mut listed: Vec<(Dof, Option<Limit>)> = Vec::new();
+    for (index, dof) in bone.dofs.iter().enumerate() {
+        if listed.iter().all(|(known, _)| known != dof) {
+            listed.push((*dof, bone.limits.get(index).copied()));
+        }
+    }
+    listed.sort_by_key(|(dof, _)| place(dof));
+    bone.limits = listed.iter().filter_map(|(_, limit)| *limit).collect();
+    bone.dofs = listed.into_iter().map(|(dof, _)| dof).collect();
 }
 
 /// Returns translations, rotations in the bone's order and length, as far as any frame moves them. Without angles of the
