@@ -54,7 +54,7 @@ test-install: build/package/.built $(BLENDERS:%=build/venv/bpy-%/.ready) ## Inst
 # Where the windowed Blender is kept: its run.sh opens it with the script of a session.
 GUI ?= ../shared/gui
 test-gui: build/package/.built ## Drive a windowed Blender with mouse and keys, session by session
-	for session in tests/gui/test_*.py; do $(LIMIT) $(GUI)/run.sh $$session || exit 1; done
+	GUI=$(GUI) $(PYTHON) tests/gui/run.py
 
 # -- Checks -----------------------------------------------------------------------------------------------------------
 
@@ -83,9 +83,11 @@ FUZZ_TARGETS := asf amc
 FUZZ_SECONDS ?= 600
 fuzz fuzz-smoke: export PATH := $(CURDIR)/build/tools/bin:$(PATH)
 fuzz: build/fuzz/.ready ## Fuzz each reader for ten minutes
-	for target in $(FUZZ_TARGETS); do mkdir -p build/fuzz/$$target && \
-	    cargo fuzz run --fuzz-dir core/fuzz --sanitizer none $$target build/fuzz/$$target core/fuzz/seeds/$$target -- \
-	        -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; done
+	for target in $(FUZZ_TARGETS); do \
+	    mkdir -p build/fuzz/$$target core/fuzz/corpus/$$target && \
+	    cargo fuzz run --fuzz-dir core/fuzz --sanitizer none $$target build/fuzz/$$target core/fuzz/corpus/$$target -- \
+	        -dict=core/fuzz/acclaim.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
+	done
 
 fuzz-smoke: ## Fuzz each reader for 20 seconds, where there is a C++ compiler
 	@if command -v c++ >/dev/null; then $(LIMIT) $(MAKE) fuzz FUZZ_SECONDS=20; \

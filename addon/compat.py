@@ -6,7 +6,7 @@ before it are no longer supported.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import bpy
 
@@ -19,8 +19,8 @@ SLOTTED = "slots" in bpy.types.Action.bl_rna.properties  # 4.4: an action has sl
 class Bag(Protocol):
     """The F-curves that animate one data-block in one action: a channelbag, or the whole action before 4.4."""
 
-    fcurves: bpy.types.bpy_prop_collection
-    groups: bpy.types.bpy_prop_collection
+    fcurves: Any
+    groups: Any
 
 
 def bag_of(datablock: ID, action: Action | None, *, slot_name: str = "") -> Bag | None:
@@ -31,7 +31,7 @@ def bag_of(datablock: ID, action: Action | None, *, slot_name: str = "") -> Bag 
     if action is None:
         return None
     if not SLOTTED:
-        return action
+        return cast("Bag", action)
     slot = action.slots.get(slot_name) if slot_name else None
     slot = slot or _fitting_slot(datablock, action)
     if slot is None or not action.layers or not action.layers[0].strips:
@@ -42,7 +42,7 @@ def bag_of(datablock: ID, action: Action | None, *, slot_name: str = "") -> Bag 
 def ensure_bag(datablock: ID, action: Action) -> Bag:
     """Return the F-curves of `datablock` in `action`, making slot, layer and strip where there are none."""
     if not SLOTTED:
-        return action
+        return cast("Bag", action)
     slot = _fitting_slot(datablock, action) or action.slots.new(id_type=datablock.id_type, name=datablock.name)
     layer = action.layers[0] if action.layers else action.layers.new("Layer")
     strip = layer.strips[0] if layer.strips else layer.strips.new(type="KEYFRAME")
@@ -111,7 +111,7 @@ def is_hidden(bone: PoseBone) -> bool:
 def only_bag(datablock: ID, action: Action, slot_name: str) -> Bag:
     """Return the F-curves of one slot of an action, after removing all other slots."""
     if not SLOTTED:
-        return action
+        return cast("Bag", action)
     for slot in [slot for slot in action.slots if slot.identifier != slot_name]:
         action.slots.remove(slot)
     bag = bag_of(datablock, action, slot_name=slot_name)

@@ -5,6 +5,8 @@ The names of these properties are read by scripts and by saved files: they chang
 
 from __future__ import annotations
 
+from typing import Any
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -17,13 +19,13 @@ from bpy.props import (
 )
 from bpy.types import Action, PropertyGroup
 
-OVERRIDABLE = {"LIBRARY_OVERRIDABLE"}
-OVERRIDABLE_COLLECTION = {"LIBRARY_OVERRIDABLE", "USE_INSERTION"}
+OVERRIDABLE: set[Any] = {"LIBRARY_OVERRIDABLE"}
+OVERRIDABLE_COLLECTION: set[Any] = {"LIBRARY_OVERRIDABLE", "USE_INSERTION"}
 FRAME_LIMIT = 1_048_574  # Blender's own limit of frame numbers
 
 KINDS = (
     ("TRACK", "Motion Track", "A clip on some bones, with its cut, scale and blend", "ACTION", 0),
-    ("FILTER", "Filter", "A filter on the motion of some bones", "MODIFIER", 1),
+    ("FILTER", "Filter", "A filter on the motion of some bones", "SMOOTHCURVE", 1),
     ("KEPT", "Kept Edits", "F-curves edited by hand, which replace what lies below", "GREASEPENCIL", 2),
 )
 ROTATION_ALIGNMENTS = (
@@ -93,8 +95,10 @@ def _rebuild(properties: PropertyGroup, context: bpy.types.Context) -> None:
 
 
 def _frame(name: str, description: str, *, low: int = -FRAME_LIMIT, rebuild: bool = True) -> object:
-    update = {"update": _rebuild} if rebuild else {}
-    return IntProperty(name=name, description=description, min=low, max=FRAME_LIMIT, override=OVERRIDABLE, **update)
+    options: dict[str, Any] = {"name": name, "description": description, "min": low, "max": FRAME_LIMIT}
+    if rebuild:
+        options |= {"update": _rebuild, "override": OVERRIDABLE}
+    return IntProperty(**options)
 
 
 CUT_START = ("Cut Start", "First frame of the file to take. Zero takes the file from its beginning")

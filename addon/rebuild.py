@@ -79,7 +79,7 @@ def rebuild(ob: Object, current_scene: bpy.types.Scene, *, over_edits: bool) -> 
     bones = [(number, name) for number, name in enumerate(rest.names) if name in touched or name in result.digests]
     with ThreadPoolExecutor(1) as worker:  # the native module works without the interpreter; Blender is read meanwhile
         evaluating = worker.submit(motion_theater.evaluate, native_rig, base, [native for native, _ in steps])
-        result.read(name for _, name in bones)
+        result.prefetch(name for _, name in bones)
         try:
             evaluation = evaluating.result()
         except motion_theater.MotionTheaterError as error:
@@ -89,7 +89,7 @@ def rebuild(ob: Object, current_scene: bpy.types.Scene, *, over_edits: bool) -> 
     if edited:
         motion.hand_edited = names.join(edited)
         raise UserError(edited_by_hand(edited))
-    locked = result.write(wanted, touched, motion)
+    locked = result.update(wanted, touched, motion)
     motion.hand_edited = ""
     return _tell(motion, the_plan, evaluation, [loaded for _, loaded in steps], locked, scene.rate_hz(current_scene))
 

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import bpy
 import numpy as np
@@ -68,6 +69,16 @@ def add(clip: str, **options: object) -> bpy.types.Object:
     """Add one of the project's own clips to the active armature."""
     bpy.ops.motion_theater.add_track(filepath=str(TESTDATA / clip), **options)
     return armature()
+
+
+def load_human(path: str, *, link: bool) -> bpy.types.Object:
+    """Append or link the armature of another .blend file."""
+    libraries: Any = bpy.data.libraries
+    with libraries.load(path, link=link) as (_, into):
+        into.objects = ["human"]
+    (ob,) = into.objects
+    bpy.context.scene.collection.objects.link(ob)
+    return ob
 
 
 def select(ob: bpy.types.Object, names: Iterable[str]) -> None:

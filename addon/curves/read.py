@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..compat import Bag
-    from ..logic.keys import Keys
+    from ..logic.keys import Array, Keys
 
 CHANNELS = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3}
 """The channels of a bone that a stack may write, and how many F-curves each has."""
@@ -59,10 +59,10 @@ def coordinates(curve: FCurve | None) -> NDArray[np.float32]:
     return values
 
 
-def field(curve: FCurve, name: str) -> NDArray[np.float32] | NDArray[np.int32]:
+def field(curve: FCurve, name: str) -> Array:
     """Return one field of all keys."""
     kind, width = FIELDS[name]
-    values = np.empty(width * len(curve.keyframe_points), kind)
+    values: Array = np.empty(width * len(curve.keyframe_points), kind)
     curve.keyframe_points.foreach_get(name, values)
     return values
 

@@ -73,7 +73,7 @@ class MOTION_THEATER_PT_combine(bpy.types.Panel):
 def _draw_bones(form: UILayout, options: NewTrackOptions, ob: Object | None) -> None:
     """Which bones a new track moves."""
     column = form.column(heading="Bones")
-    column.prop(options, "selected_only")
+    column.prop(options, "selected_only", text="Selected Only")
     if ob is not None:
         row = form.row()
         row.active = not options.selected_only

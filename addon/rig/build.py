@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import bpy
 import numpy as np
@@ -77,7 +77,8 @@ def build_armature(
         bpy.ops.object.mode_set(mode="OBJECT")
     for number, file_name in enumerate(skeleton.names):
         bone = ob.pose.bones[bone_names[file_name]]
-        bone.rotation_mode = skeleton.orders[number] if bone_style == "AXES" else "QUATERNION"
+        mode: Any = skeleton.orders[number] if bone_style == "AXES" else "QUATERNION"
+        bone.rotation_mode = mode
         if limits_as_constraints and bone_style == "AXES":
             _add_limits(bone, skeleton.dofs[number], skeleton.limits[number])
     return ob, bone_names

@@ -6,15 +6,16 @@ is told from its neighbours here, wherever the layout put it. Everything that wa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator
+from pathlib import Path
 
 import bpy
 import drive
 
 Session = Generator[float, None, None]
+Finding = Generator[float, None, tuple[int, int]]
 
 STEP = 8  # pixels between two looks; the lowest button is 18 high
-COLUMNS = (0.6, 0.92, 0.25)  # where buttons are, as shares of the region's width
 REST = (8, 8)  # a corner where the mouse covers and highlights nothing
 DIGITS = ("ZERO", "ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE")
 PUNCTUATION = {".": "PERIOD", "/": "SLASH", "-": "MINUS", "_": "MINUS"}
@@ -59,22 +60,32 @@ def under_mouse(kind: str, of: str) -> str:
     return ""
 
 
-def _places(region: bpy.types.Region) -> Iterator[tuple[int, int]]:
-    for share in COLUMNS:
-        for y in range(region.y + region.height - STEP, region.y, -STEP):
-            yield int(region.x + share * region.width), y
-
-
-def find(fits: Callable[[str], bool], what: str, kind: str, of: str) -> Generator[float, None, tuple[int, int]]:
-    """Return where a button is; scrolls down if it is not to be seen."""
+def find(fits: Callable[[str], bool], what: str, kind: str, of: str, column: float) -> Finding:
+    """Return where a button is: looks at what is shown, then from the top of the panel downwards."""
+    place = yield from _look(fits, kind, of, column)
+    if place is None:
+        yield from scroll("WHEELUPMOUSE", kind, of, notches=40)
     for _ in range(6):
-        for x, y in _places(drive.region(kind, of)):
-            drive.move(x, y)
-            yield 0.03
-            if fits(under_mouse(kind, of)):
-                return x, y - STEP // 2  # the sweep meets its upper edge first
-        yield from scroll("WHEELDOWNMOUSE", kind, of)
+        if place is not None:
+            return place
+        place = yield from _look(fits, kind, of, column)
+        if place is None:
+            yield from scroll("WHEELDOWNMOUSE", kind, of)
     raise NotFoundError(f"no button for {what}")
+
+
+def _look(
+    fits: Callable[[str], bool], kind: str, of: str, column: float
+) -> Generator[float, None, tuple[int, int] | None]:
+    """Pass the mouse once down a region, in a column that is given as a share of its width."""
+    region = drive.region(kind, of)
+    x = int(region.x + column * region.width)
+    for y in range(region.y + region.height - STEP, region.y, -STEP):
+        drive.move(x, y)
+        yield 0.02
+        if fits(under_mouse(kind, of)):
+            return x, y - STEP // 2  # it was met at its upper edge
+    return None
 
 
 def scroll(wheel: str, kind: str = "UI", of: str = "VIEW_3D", notches: int = 12) -> Session:
@@ -85,27 +96,25 @@ def scroll(wheel: str, kind: str = "UI", of: str = "VIEW_3D", notches: int = 12)
     yield 0.05
     for _ in range(notches):
         drive.window().event_simulate(type=wheel, value="PRESS", x=x, y=y)
-        yield 0.03
+        yield 0.01
     yield from settle(2)
 
 
-def find_operator(command: str, *, kind: str = "UI", of: str = "VIEW_3D") -> Generator[float, None, tuple[int, int]]:
+def find_operator(command: str, *, kind: str = "UI", of: str = "VIEW_3D", column: float = 0.6) -> Finding:
     """Return where the button of an operator is; `command` may go on with the start of its arguments."""
-    yield from scroll("WHEELUPMOUSE", kind, of, notches=40)
-    place = yield from find(lambda text: text.startswith(f"bpy.ops.{command}"), command, kind, of)
+    place = yield from find(lambda text: text.startswith(f"bpy.ops.{command}"), command, kind, of, column)
     return place
 
 
-def find_field(name: str, *, kind: str = "UI", of: str = "VIEW_3D") -> Generator[float, None, tuple[int, int]]:
+def find_field(name: str, *, kind: str = "UI", of: str = "VIEW_3D", column: float = 0.6) -> Finding:
     """Return where the field of a property is, by the end of its data path."""
-    yield from scroll("WHEELUPMOUSE", kind, of, notches=40)
-    place = yield from find(lambda text: text.endswith(name), name, kind, of)
+    place = yield from find(lambda text: text.endswith(name), name, kind, of, column)
     return place
 
 
-def press(command: str, *, kind: str = "UI", of: str = "VIEW_3D") -> Session:
+def press(command: str, *, kind: str = "UI", of: str = "VIEW_3D", column: float = 0.6) -> Session:
     """Click the button of an operator."""
-    x, y = yield from find_operator(command, kind=kind, of=of)
+    x, y = yield from find_operator(command, kind=kind, of=of, column=column)
     yield from drive.click(x, y)
     yield 0.3
 
@@ -160,15 +169,16 @@ def enter_number(name: str, value: int) -> Session:
 
 
 def choose_file(folder: str, filename: str) -> Session:
-    """In the file browser, type the folder and the name, and press Enter."""
+    """In the file browser, type the folder where it is another one, type the name, and press the button."""
     yield from settle(2)
-    place = yield from find_field("params.directory", kind="UI", of="FILE_BROWSER")
-    yield from write(place, folder)
-    yield from tap("RET")  # the first one only completes the path
-    yield from settle(2)
+    if Path(drive.area("FILE_BROWSER").spaces.active.params.directory.decode()) != Path(folder):
+        place = yield from find_field("params.directory", kind="UI", of="FILE_BROWSER", column=0.3)
+        yield from write(place, folder)
+        yield from tap("RET")  # the first one only completes the path
+        yield from settle(2)
     bottom = drive.region("EXECUTE", "FILE_BROWSER")
     yield from write((bottom.x + bottom.width // 3, bottom.y + bottom.height // 2), filename)
-    yield from press("file.execute", kind="EXECUTE", of="FILE_BROWSER")
+    yield from press("file.execute", kind="EXECUTE", of="FILE_BROWSER", column=0.92)
     yield from settle()
 
 

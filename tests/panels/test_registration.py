@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
@@ -95,7 +96,7 @@ def test_an_outdated_native_module_asks_for_a_restart() -> None:
 
 
 @pytest.fixture
-def without_native_module(monkeypatch: pytest.MonkeyPatch) -> None:
+def without_native_module(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Run the add-on as on a machine where the native module cannot be loaded."""
     addon.unregister()
     native.problem.cache_clear()

@@ -105,5 +105,5 @@ def test_tails_are_those_of_an_independent_reader(case: tuple[Path, Path, list[d
         bone = fact["bone"]
         matrices = harness.pose(ob, first + fact["frame_index"])
         end = matrices[ob.pose.bones.find(bone)] @ np.linalg.inv(rest[bone]) @ [*tails[bone], 1.0]
-        expected = converted([fact["end_position_asf_units"]], stack.up, stack.unit_m)[0]
+        expected = converted(np.array([fact["end_position_asf_units"]]), stack.up, stack.unit_m)[0]
         assert np.abs(end[:3] - expected).max() <= TOLERANCE * skeleton.height * stack.unit_m, fact

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import bpy
 import numpy as np
@@ -60,18 +61,18 @@ def steps(ob: bpy.types.Object, bone: str, mode: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("mode", MODES)
-def test_curves_have_no_jump(tmp_path: Path, mode: str) -> None:
+def test_curves_have_no_jump(tmp_path: Path, mode: Any) -> None:
     ob = spinning(tmp_path)
     for bone in ob.pose.bones:
         bone.rotation_mode = mode
     bpy.ops.motion_theater.add_track(filepath=str(tmp_path / "top.amc"))
-    for bone in ("root", "arm"):
-        assert steps(ob, bone, mode).max() < JUMP
+    for name in ("root", "arm"):
+        assert steps(ob, name, mode).max() < JUMP
 
 
 @pytest.mark.parametrize("kind", ["MEDIAN", "AVERAGE", "WEIGHTED"])
 @pytest.mark.parametrize("mode", MODES)
-def test_a_filter_shows_no_spike(tmp_path: Path, mode: str, kind: str) -> None:
+def test_a_filter_shows_no_spike(tmp_path: Path, mode: Any, kind: str) -> None:
     ob = spinning(tmp_path)
     for bone in ob.pose.bones:
         bone.rotation_mode = mode

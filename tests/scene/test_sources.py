@@ -57,7 +57,7 @@ def test_a_moved_file_is_said_and_the_motion_stays(clip: Path, monkeypatch: pyte
 
 
 def test_relinking_to_a_file_that_does_not_fit_keeps_the_old_one(tmp_path: Path, clip: Path) -> None:
-    ob = walking(clip)
+    walking(clip)
     other = tmp_path / "animal.amc"
     other.write_text(clip.read_text().replace("lfemur", "tail"))
     before = harness.snapshot()

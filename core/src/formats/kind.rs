@@ -13,6 +13,12 @@ pub(crate) enum Kind {
     Amc,
     /// A kind that has a reader.
     Bvh,
+    /// A kind that has a reader.
+    C3d,
+    /// A kind that has a reader.
+    Csm,
+    /// A kind that has a reader.
+    Trc,
     /// Anything else that people take for motion capture, in words.
     Foreign(&'static str),
 }
@@ -23,6 +29,9 @@ impl fmt::Display for Kind {
             Self::Asf => "an Acclaim skeleton (.asf)",
             Self::Amc => "an Acclaim motion (.amc)",
             Self::Bvh => "a BVH motion (.bvh)",
+            Self::C3d => "a C3D marker file (.c3d)",
+            Self::Csm => "a CSM marker file (.csm)",
+            Self::Trc => "a TRC marker file (.trc)",
             Self::Foreign(words) => words,
         })
     }
@@ -33,8 +42,8 @@ const BEGINNINGS: &[(&[u8], Kind)] = &[
     (b"\xFF\xFE", Kind::Foreign("UTF-16 text; save it as UTF-8")),
     (b"\xFE\xFF", Kind::Foreign("UTF-16 text; save it as UTF-8")),
     (b"HIERARCHY", Kind::Bvh),
-    (b"$", Kind::Foreign("a CSM marker file (.csm)")),
-    (b"PathFileType", Kind::Foreign("a TRC marker file (.trc)")),
+    (b"$", Kind::Csm),
+    (b"PathFileType", Kind::Trc),
     (b"Kaydara FBX Binary", Kind::Foreign("an FBX file (.fbx)")),
     (b"; FBX", Kind::Foreign("an FBX file (.fbx)")),
     (b"BLENDER", Kind::Foreign("a Blender file (.blend)")),
@@ -66,19 +75,15 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
     if let Some((_, kind)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
         return Some(*kind);
     }
-    if head.contains(&0) {
+    if source.contains(&0) {
         if matches!(head, [block, 0x50, ..] if *block < b' ') {
-            return Some(Kind::Foreign("a C3D marker file (.c3d)"));
+            return Some(Kind::C3d);
         }
         return Some(Kind::Foreign(if looks_like_utf16(head) {
             "UTF-16 text; save it as UTF-8"
         } else {
             "binary data"
         }));
-    }
-    let control_count = head.iter().filter(|byte| **byte < b' ' && !byte.is_ascii_whitespace()).count();
-    if control_count > head.len() / 16 {
-        return Some(Kind::Foreign("binary data"));
     }
     recognise_acclaim(head)
 }

@@ -23,9 +23,8 @@ impl Amc {
     /// # Errors
     /// Where bones are not in the skeleton or have another number of values there: all of them are named.
     pub fn motion(&self, skeleton: &Skeleton) -> Result<(Motion, Vec<String>), MisfitError> {
-        let mut notices = self.notices();
-        let columns = self.match_bones(skeleton, &mut notices)?;
-        let bones = skeleton.bones.par_iter().zip(&columns);
+        let matching = self.match_bones(skeleton)?;
+        let bones = skeleton.bones.par_iter().zip(&matching.columns);
         let bones = bones
             .map(|(bone, columns)| columns.as_ref().map_or_else(BoneMotion::default, |c| self.bone_motion(bone, c)));
         let motion = Motion {
@@ -34,84 +33,61 @@ impl Amc {
             frame_count: self.frame_count,
             rate_hz: self.header.rate_hz,
         };
+        let mut notices = self.notices();
+        notices.extend(matching.notices(skeleton));
         Ok((motion, notices))
     }
 
-    /// Returns for each bone of the skeleton which columns are whose values.
-    fn match_bones(&self, skeleton: &Skeleton, notices: &mut Vec<String>) -> Result<Vec<Option<Columns>>, MisfitError> {
+    /// Finds each bone of the file in the skeleton.
+    fn match_bones(&self, skeleton: &Skeleton) -> Result<Matching, MisfitError> {
         let names = Names::new(skeleton);
-        let mut columns: Vec<Option<Columns>> = vec![None; skeleton.bones.len()];
-        let (mut misfits, mut renamed, mut padded, mut free) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut start = 0;
+        let mut matching = Matching { columns: vec![None; skeleton.bones.len()], ..Matching::default() };
+        let mut misfits = Vec::new();
+        let mut next = 0;
         for bone in &self.bones {
-            let first = start;
-            start += bone.width;
+            let first = next;
+            next += bone.width;
             let Some(index) = names.find(&bone.name) else {
                 misfits.push(bone.name.clone());
                 continue;
             };
             let known = &skeleton.bones[index];
-            if known.name != bone.name {
-                renamed.push(format!("{} = {}", bone.name, known.name));
-            }
             let dofs = if bone.width == known.dofs.len() {
                 known.dofs.clone()
-            } else if self.header.is_forced_to_3dof
-                && bone.width == THREE_ROTATIONS.len()
-                && known.dofs.len() < bone.width
-            {
-                if self.is_zero(first + known.dofs.len()..start) {
-                    padded.push(known.name.as_str());
-                    known.dofs.clone()
-                } else {
-                    free.push(known.name.as_str());
-                    THREE_ROTATIONS.to_vec()
-                }
-            } else {
+            } else if !self.header.is_forced_to_3dof || bone.width != 3 || known.dofs.len() > 3 {
                 misfits.push(format!("{} ({})", bone.name, wrong_count(known, bone.width)));
                 continue;
+            } else if self.is_zero(first + known.dofs.len()..next) {
+                matching.padded.push(index);
+                known.dofs.clone()
+            } else {
+                matching.free.push(index);
+                THREE_ROTATIONS.to_vec()
             };
-            if columns[index].replace(Columns { first, dofs }).is_some() {
+            if known.name != bone.name {
+                matching.renamed.push(format!("{} = {}", bone.name, known.name));
+            }
+            if matching.columns[index].replace(Columns { first, dofs }).is_some() {
                 misfits.push(format!("{} (a second line for {})", bone.name, known.name));
             }
         }
-        if !misfits.is_empty() {
-            return Err(MisfitError { bones: misfits });
+        if misfits.is_empty() {
+            matching.agree_on_three_values();
+            Ok(matching)
+        } else {
+            Err(MisfitError { bones: misfits })
         }
-        // Where one bone shows that three values are three rotations, they are that for all.
-        if !free.is_empty() {
-            for index in padded.drain(..).filter_map(|name| skeleton.index_of(name)) {
-                if let Some(columns) = &mut columns[index] {
-                    columns.dofs = THREE_ROTATIONS.to_vec();
-                }
-            }
-        }
-        let is_absent = |(bone, columns): &(&Bone, &Option<Columns>)| columns.is_none() && !bone.dofs.is_empty();
-        let absent: Vec<_> =
-            skeleton.bones.iter().zip(&columns).filter(is_absent).map(|(b, _)| b.name.as_str()).collect();
-        if !renamed.is_empty() {
-            notices.push(format!("Bones found by names that differ in case: {}", renamed.join(", ")));
-        }
-        if !padded.is_empty() {
-            notices
-                .push("Three values for every bone: they are its degrees of freedom, filled up with zeros".to_owned());
-        }
-        if !free.is_empty() {
-            let names = free.join(", ");
-            notices.push(format!(
-                "Three values for every bone: taken as rx ry rz, also beyond degrees of freedom: {names}"
-            ));
-        }
-        if !absent.is_empty() {
-            notices.push(format!("Bones without motion stay at rest: {}", absent.join(", ")));
-        }
-        Ok(columns)
+    }
+
+    /// Returns the values frame by frame.
+    fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
+        let width = self.values.len() / self.frame_count.max(1);
+        self.values.chunks_exact(width.max(1))
     }
 
     /// Returns whether these columns are zero in every frame.
     fn is_zero(&self, columns: std::ops::Range<usize>) -> bool {
-        let mut frames = self.values.chunks_exact(self.width().max(1));
-        frames.all(|row| row.get(columns.clone()).is_some_and(|values| values.iter().all(|value| *value == 0.0)))
+        self.rows().all(|row| row.get(columns.clone()).is_some_and(|values| values.iter().all(|value| *value == 0.0)))
     }
 
     fn bone_motion(&self, bone: &Bone, columns: &Columns) -> BoneMotion {
@@ -129,7 +105,7 @@ impl Amc {
             stretches: Vec::with_capacity(room(stretches)),
         };
         let mut previous = DQuat::IDENTITY;
-        for row in self.values.chunks_exact(self.width().max(1)) {
+        for row in self.rows() {
             let values = row.get(columns.first..).unwrap_or_default();
             let (mut angles, mut translation, mut stretch) = ([0.0; 3], [0.0; 3], 0.0);
             for (dof, value) in columns.dofs.iter().zip(values) {
@@ -157,6 +133,57 @@ impl Amc {
             }
         }
         motion
+    }
+}
+
+/// The bones of a file as a skeleton's.
+#[derive(Default)]
+struct Matching {
+    /// For each bone of the skeleton which columns are its values, if any.
+    columns: Vec<Option<Columns>>,
+    /// Pairs of names that differ in case.
+    renamed: Vec<String>,
+    /// Bones with three values, of which those beyond their degrees of freedom are zero throughout.
+    padded: Vec<usize>,
+    /// Bones with three values that use more than their degrees of freedom.
+    free: Vec<usize>,
+}
+
+impl Matching {
+    /// Where one bone shows that three values are three rotations, they are that for every bone.
+    fn agree_on_three_values(&mut self) {
+        if self.free.is_empty() {
+            return;
+        }
+        for index in self.padded.drain(..) {
+            if let Some(columns) = &mut self.columns[index] {
+                columns.dofs = THREE_ROTATIONS.to_vec();
+            }
+        }
+    }
+
+    /// Returns what was decided, a sentence each.
+    fn notices(&self, skeleton: &Skeleton) -> Vec<String> {
+        let mut notices = Vec::new();
+        if !self.renamed.is_empty() {
+            notices.push(format!("Bones found by names that differ in case: {}", self.renamed.join(", ")));
+        }
+        if !self.padded.is_empty() {
+            let words = "they are its degrees of freedom, filled up with zeros";
+            notices.push(format!("Three values for every bone: {words}"));
+        }
+        if !self.free.is_empty() {
+            let names: Vec<_> = self.free.iter().map(|index| skeleton.bones[*index].name.as_str()).collect();
+            let words = "taken as rx ry rz, also beyond degrees of freedom";
+            notices.push(format!("Three values for every bone: {words}: {}", names.join(", ")));
+        }
+        let is_absent = |(bone, columns): &(&Bone, &Option<Columns>)| columns.is_none() && !bone.dofs.is_empty();
+        let absent = skeleton.bones.iter().zip(&self.columns).filter(is_absent);
+        let absent: Vec<_> = absent.map(|(bone, _)| bone.name.as_str()).collect();
+        if !absent.is_empty() {
+            notices.push(format!("Bones without motion stay at rest: {}", absent.join(", ")));
+        }
+        notices
     }
 }
 

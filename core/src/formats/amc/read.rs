@@ -1,6 +1,6 @@
 //! Bytes -> [`Amc`].
 //!
-//! Frames are read twice over: [`FrameLayout::read_usual`] takes a frame that is written just like the first, without
+//! There are two ways to read a frame: [`FrameLayout::read_usual`] takes a frame that is written just like the first, without
 //! searching and without allocating; [`FrameReader::read_frame`] takes any frame, and says what is wrong with it.
 
 use super::frame::FrameLayout;
@@ -98,7 +98,8 @@ fn read_first_frame(lines: &mut Lines<'_>, amc: &mut Amc) -> Result<i64, ParseEr
         lines.next_words();
         let name = words.expect("the name of a bone")?;
         check_name(&name)?;
-        if !seen.insert(name.bytes) {
+        // As text, for two spellings in bytes can be one name.
+        if !seen.insert(name.text()) {
             return Err(second_time(&name, number));
         }
         let values_before = amc.values.len();

@@ -67,7 +67,7 @@ fn header_keywords_come_in_any_order_and_unknown_ones_are_kept() {
 
 #[test]
 fn frame_numbers_may_begin_anywhere_and_odd_ones_are_kept_with_a_notice() {
-    let frames = |numbers: &[i64]| numbers.iter().map(|number| format!("{number}\nroot 1\n")).collect::<String>();
+    let frames = |numbers: &[i64]| numbers.iter().map(|n| format!("{n}\nroot 1\n")).collect::<Vec<_>>().concat();
     for numbers in [[0, 1, 2], [-1, 0, 1], [244, 245, 246]] {
         let amc = parsed(&(":DEGREES\n".to_owned() + &frames(&numbers)));
         assert_eq!((amc.first_frame, amc.frame_numbers.len(), amc.notices().len()), (numbers[0], 0, 0));
@@ -106,7 +106,7 @@ fn translations_and_length_move_a_bone_along_its_own_axes() {
 
 #[test]
 fn neighbouring_rotations_lie_in_one_hemisphere() {
-    let frames: String = (0..100).map(|i| format!("{i}\nshin {}\n", f64::from(i) * 25.0)).collect();
+    let frames = (0..100).map(|i| format!("{i}\nshin {}\n", f64::from(i) * 25.0)).collect::<Vec<_>>().concat();
     let (motion, notices) = parsed(&(":DEGREES\n".to_owned() + &frames)).motion(&skeleton("")).unwrap();
     assert!(motion.bones[2].rotations.windows(2).all(|pair| pair[0].dot(pair[1]) > 0.9));
     assert_eq!(motion.bones[2].angles[99][0], 2475.0_f64.to_radians());

@@ -37,6 +37,8 @@ pub(super) fn read_bone(lines: &mut Lines<'_>, mut first: Words<'_>) -> Result<A
         if read_field(&mut bone, &keyword, &mut words, lines)? {
             seen.check(&keyword)?;
             words.finish()?;
+        } else if continues_limits(&keyword) {
+            return Err(keyword.unexpected(format_args!("a field of {}", called(&bone))));
         } else {
             bone.others.push(raw);
         }
@@ -102,7 +104,8 @@ fn read_limits(words: &mut Words<'_>, lines: &mut Lines<'_>, of_bone: &str) -> R
                 None => open = Some(bound),
             }
         }
-        let Some(mut next) = lines.peek_words().filter(continues_limits) else { break };
+        let starts_with_limit = |line: &Words<'_>| line.clone().next().is_some_and(|word| continues_limits(&word));
+        let Some(mut next) = lines.peek_words().filter(starts_with_limit) else { break };
         lines.next_words();
         line = next.split_at_brackets().collect();
     }
@@ -113,7 +116,7 @@ fn read_limits(words: &mut Words<'_>, lines: &mut Lines<'_>, of_bone: &str) -> R
     }
 }
 
-fn continues_limits(line: &Words<'_>) -> bool {
-    let is_bound = |word: Word<'_>| word.bytes.starts_with(b"(") || number::read_or_infinity(word.bytes).is_some();
-    line.clone().next().is_some_and(is_bound)
+/// Whether a line with this first word goes on with the limits of the line before.
+fn continues_limits(first: &Word<'_>) -> bool {
+    first.bytes.starts_with(b"(") || number::read_or_infinity(first.bytes).is_some()
 }

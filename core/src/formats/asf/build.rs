@@ -1,5 +1,6 @@
 //! [`Skeleton`] -> [`Asf`].
 
+use super::read::BEARABLE_LENGTH_UNITS;
 use super::{Asf, AsfBone, Family, Root, Units, ROOT};
 use crate::formats::AngleUnit;
 use crate::skeleton::{Bone, Dof, EulerOrder, Skeleton};
@@ -27,7 +28,7 @@ impl Asf {
             name: Some(skeleton.name.clone()).filter(|name| is_one_line(name)),
             units: Units {
                 mass: Some(1.0),
-                length: Some(INCH_M / skeleton.unit.metres).filter(|length| (1e-9..1e9).contains(length)),
+                length: Some(INCH_M / skeleton.unit.metres).filter(|length| BEARABLE_LENGTH_UNITS.contains(length)),
                 angle: Some(AngleUnit::Degrees),
                 others: Vec::new(),
             },

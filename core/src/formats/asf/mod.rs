@@ -59,7 +59,7 @@ pub struct Asf {
 pub struct Units {
     /// What a mass is to be multiplied by.
     pub mass: Option<f64>,
-    /// What a length is to be divided by; more than 0.
+    /// What a length is to be divided by; from 1e-9 to 1e9.
     pub length: Option<f64>,
     /// The unit of angles; degrees where the file does not say.
     pub angle: Option<AngleUnit>,

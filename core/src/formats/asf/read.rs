@@ -9,6 +9,9 @@ use crate::skeleton::{Dof, EulerOrder};
 use crate::text::{decode, Lines, Word, Words};
 use std::fmt::Display;
 
+/// A unit of length beyond these is damage.
+pub(super) const BEARABLE_LENGTH_UNITS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
 pub(super) fn parse(source: &[u8]) -> Result<Asf, ParseError> {
     kind::check(source, Kind::Asf)?;
     let mut lines = Lines::new(source);
@@ -102,8 +105,8 @@ fn read_units<'a>(lines: &mut Lines<'a>, first: Words<'a>) -> Result<Units, Pars
         } else if keyword.is("length") {
             let word = words.expect("a number for the unit `length`")?;
             let length = word.number("a number for the unit `length`")?;
-            if length <= 0.0 {
-                return Err(word.unexpected("a number above 0 for the unit `length`"));
+            if !BEARABLE_LENGTH_UNITS.contains(&length) {
+                return Err(word.unexpected("a number from 1e-9 to 1e9 for the unit `length`"));
             }
             units.length = Some(length);
         } else if keyword.is("angle") {
