@@ -22,7 +22,8 @@ impl Markers {
     /// If the markers do not know their own rate, if either rate is not a number above 0, or if the result would be larger
     /// than memory can be expected to hold.
     pub fn resampled(&self, rate_hz_to: f64) -> Result<Self, ParameterError> {
-        let unknown = || ParameterError("the markers do not say their rate, so they cannot be brought to another".into());
+        let unknown =
+            || ParameterError("the markers do not say their rate, so they cannot be brought to another".into());
         let rate_hz = self.rate_hz.ok_or_else(unknown)?;
         let is_rate = |rate: f64| rate.is_finite() && rate > 0.0;
         if let Some(wrong) = [rate_hz, rate_hz_to].into_iter().find(|rate| !is_rate(*rate)) {
