@@ -51,11 +51,10 @@ test-install: build/package/.built $(BLENDERS:%=build/venv/bpy-%/.ready) ## Inst
 	for blender in $(BLENDERS); do \
 	    $(LIMIT) build/venv/bpy-$$blender/bin/python -m pytest tests/install || exit 1; done
 
-# Where the windowed Blender is kept: its run.sh opens it with the script of a session. Pictures go to gui-out/.
+# Where the windowed Blender is kept: its run.sh opens it with the script of a session.
 GUI ?= ../shared/gui
-GUI_SESSIONS := tutorial
 test-gui: build/package/.built ## Drive a windowed Blender with mouse and keys, session by session
-	for session in $(GUI_SESSIONS); do MT_GUI_SECONDS=$(STEP_SECONDS) $(GUI)/run.sh tests/gui/$$session.py || exit 1; done
+	GUI=$(GUI) $(PYTHON) tests/gui/run.py
 
 # -- Checks -----------------------------------------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import bpy
 from bpy.props import EnumProperty
@@ -12,7 +12,7 @@ from bpy.props import EnumProperty
 from .properties import BONE_STYLES, RATES, SCENE_RANGES
 
 if TYPE_CHECKING:
-    from bpy.types import Context, Operator
+    from bpy.types import Addon, AddonPreferences, Context, Operator
 
 
 class MotionTheaterPreferences(bpy.types.AddonPreferences):
@@ -43,9 +43,9 @@ class MotionTheaterPreferences(bpy.types.AddonPreferences):
         column.prop(self, "scene_range")
 
 
-def get(context: Context) -> MotionTheaterPreferences | None:
+def get(context: Context) -> AddonPreferences | None:
     """Return the preferences; None where the add-on was registered by a script that did not enable it."""
-    addon: Any = context.preferences.addons.get(__package__)
+    addon: Addon | None = context.preferences.addons.get(__package__)
     return addon.preferences if addon else None
 
 

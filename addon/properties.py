@@ -25,7 +25,7 @@ FRAME_LIMIT = 1_048_574  # Blender's own limit of frame numbers
 
 KINDS = (
     ("TRACK", "Motion Track", "A clip on some bones, with its cut, scale and blend", "ACTION", 0),
-    ("FILTER", "Filter", "A filter on the motion of some bones", "MODIFIER", 1),
+    ("FILTER", "Filter", "A filter on the motion of some bones", "SMOOTHCURVE", 1),
     ("KEPT", "Kept Edits", "F-curves edited by hand, which replace what lies below", "GREASEPENCIL", 2),
 )
 ROTATION_ALIGNMENTS = (

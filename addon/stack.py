@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import bpy
 
@@ -92,6 +92,7 @@ def remove_entry(ob: Object, index: int) -> None:
     """Take an entry out of the stack, and rebuild."""
     motion = of(ob)
     kept = motion.entries[index].action
+    _refuse_library_entries(ob, index)
     with _restored_on_error(ob):
         motion.entries.remove(index)
         motion.active = max(0, min(motion.active, len(motion.entries) - 1))
@@ -104,6 +105,7 @@ def move_entry(ob: Object, index: int, offset: int) -> None:
     """Move an entry up (positive) or down in the stack, and rebuild."""
     motion = of(ob)
     target = max(0, min(index + offset, len(motion.entries) - 1))
+    _refuse_library_entries(ob, min(index, target))
     with _restored_on_error(ob):
         motion.entries.move(index, target)
         motion.active = target
@@ -111,13 +113,14 @@ def move_entry(ob: Object, index: int, offset: int) -> None:
 
 
 def duplicate_entry(ob: Object, index: int) -> None:
-    """Put a copy of an entry above it, and rebuild."""
+    """Put a copy of an entry above it, and rebuild. In a library override it comes above what the library has."""
     motion = of(ob)
+    target = max(index + 1, _library_count(ob))
     with _restored_on_error(ob):
         settings = _settings(motion.entries[index])
         _apply(motion.entries.add(), settings)
-        motion.entries.move(len(motion.entries) - 1, index + 1)
-        motion.active = index + 1
+        motion.entries.move(len(motion.entries) - 1, target)
+        motion.active = target
         rebuild(ob)
 
 
@@ -165,6 +168,19 @@ def _copy_of_curves(ob: Object, bones: Sequence[str]) -> bpy.types.Action:
     return action
 
 
+def _library_count(ob: Object) -> int:
+    """Return how many entries an override has from its library: they can be edited and muted, but stay in place."""
+    if ob.override_library is None:
+        return 0
+    linked: Any = ob.override_library.reference
+    return len(of(linked).entries)
+
+
+def _refuse_library_entries(ob: Object, index: int) -> None:
+    if index < _library_count(ob):
+        raise UserError(f"“{of(ob).entries[index].name}” comes from a linked file and must stay: switch it off instead")
+
+
 def _take_base(ob: Object) -> None:
     """Note what is on the armature as the base of its stack."""
     motion = of(ob)
@@ -184,7 +200,8 @@ def _settings(entry: MotionEntry) -> dict[str, object]:
 def _apply(entry: MotionEntry, settings: dict[str, object]) -> None:
     with quietly():
         for name, value in settings.items():
-            setattr(entry, name, value)
+            if getattr(entry, name) != value:  # in an override every assignment would be noted
+                setattr(entry, name, value)
 
 
 @contextmanager
@@ -196,9 +213,11 @@ def _restored_on_error(ob: Object) -> Iterator[None]:
     try:
         yield
     except BaseException:
-        motion.entries.clear()
-        for settings in before:
-            _apply(motion.entries.add(), settings)
+        fixed = _library_count(ob)
+        while len(motion.entries) > fixed:
+            motion.entries.remove(len(motion.entries) - 1)
+        for index, settings in enumerate(before):
+            _apply(motion.entries[index] if index < fixed else motion.entries.add(), settings)
         motion.active = active
         motion.base_action, motion.base_slot = base
         raise

@@ -33,6 +33,7 @@ class Result:
         self.digests = record.decode(self.assigned[record.KEY]) if self.is_ours and self.assigned else {}
         self._curves = read.index(compat.bag_of(ob, self.assigned))
         self._now: dict[str, Coordinates] = {}
+        self._values_only: set[str] = set()  # bones whose keys are linear and stay on their frames
 
     def prefetch(self, bones: Iterable[str]) -> None:
         """Read the keys of these bones, and keep them for what follows."""
@@ -62,12 +63,13 @@ class Result:
         values, shape = digest.parts(recorded)
         if digest.values(now) != values:
             return True
-        if self._writes_values_only(row, now, shape):
+        if self._gets_values_only(row, now, shape):
+            self._values_only.add(bone)
             return False
         return digest.shape(read.of_bone(self._curves, bone)) != shape
 
     @staticmethod
-    def _writes_values_only(row: Sequence[write.Wanted | None], now: Coordinates, shape: str) -> bool:
+    def _gets_values_only(row: Sequence[write.Wanted | None], now: Coordinates, shape: str) -> bool:
         """Return whether a rebuild touches nothing of a bone's keys but their values."""
         return not shape and all(
             not len(current) if wanted is None else wanted.is_plain and write.same_frames(wanted, current)
@@ -129,8 +131,7 @@ class Result:
     ) -> str:
         """Write the curves of a bone that differ; return the hash of what it has then."""
         before = self._now.get(bone) or [read.coordinates(curve) for curve in curves]
-        recorded = self.digests.get(bone)
-        has_plain_keys = recorded is not None and not digest.parts(recorded)[1]
+        values_only = bone in self._values_only
         after: Coordinates = []
         for slot, curve, wanted, current in zip(read.slots(bone), curves, row, before, strict=True):
             if wanted is None:
@@ -139,17 +140,16 @@ class Result:
                 after.append(current[:0])
                 continue
             after.append(wanted.coordinates)
-            values_only = has_plain_keys and wanted.is_plain and write.same_frames(wanted, current)
-            if curve is not None and values_only:
+            if curve and (values_only or write.is_same_but_values(curve, wanted, current)):
                 if not np.array_equal(wanted.coordinates, current):
-                    write.write_values(curve, wanted.coordinates)
+                    write.write_values(curve, wanted)
                 continue
             curve = curve or write.new_curve(bag, self._curves, bone, slot)
             write.write_keys(curve, wanted)
             if 2 * len(curve.keyframe_points) != len(wanted.coordinates):
                 after[-1] = read.coordinates(curve)  # keys nearer than Blender tells apart were merged
-        is_plain = all(wanted is None or wanted.is_plain for wanted in row)
-        return digest.joined(digest.values(after), "" if is_plain else digest.shape(read.of_bone(self._curves, bone)))
+        all_plain = all(wanted is None or wanted.is_plain for wanted in row)
+        return digest.joined(digest.values(after), "" if all_plain else digest.shape(read.of_bone(self._curves, bone)))
 
     def detach(self, motion: MotionStack) -> None:
         """Leave the armature with the base after the last entry went.

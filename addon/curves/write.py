@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from ..logic.keys import Keys
 
 
+HANDLES = ("handle_left", "handle_right")
+
+
 @dataclass(frozen=True)
 class Wanted:
     """What one F-curve is to be."""
@@ -62,11 +65,27 @@ def new_curve(bag: Bag, curves: read.Index, bone: str, slot: tuple[str, int]) ->
     return curve
 
 
-def write_values(curve: FCurve, coordinates: NDArray[np.float32]) -> None:
+def is_same_but_values(curve: FCurve, wanted: Wanted, current: NDArray[np.float32]) -> bool:
+    """Return whether a curve differs from what is wanted in the values of its keys at most."""
+    if not same_frames(wanted, current):
+        return False
+    keys = key_arrays.made(wanted.coordinates, None) if wanted.keys is None else wanted.keys
+    kept = _kept(keys, wanted)
+    for name, values in keys.items():
+        if name in HANDLES:
+            if kept.any() and not np.array_equal(read.field(curve, name)[kept], values[kept]):
+                return False
+        elif name != "co" and not np.array_equal(read.field(curve, name), values):
+            return False
+    return True
+
+
+def write_values(curve: FCurve, wanted: Wanted) -> None:
     """Write the values of keys whose frames stay."""
     points = curve.keyframe_points
-    points.foreach_set("co", coordinates)
+    points.foreach_set("co", wanted.coordinates)
     points.handles_recalc()
+    _restore_handles(curve, wanted)
 
 
 def write_keys(curve: FCurve, wanted: Wanted) -> None:
@@ -77,25 +96,28 @@ def write_keys(curve: FCurve, wanted: Wanted) -> None:
     if wanted.keys is None:
         points.foreach_set("co", wanted.coordinates)
         points.foreach_set("interpolation", np.full(len(points), LINEAR, np.int32))
-        curve.update()
-        return
-    for name, values in wanted.keys.items():
-        points.foreach_set(name, values)
+    else:
+        for name, values in wanted.keys.items():
+            points.foreach_set(name, values)
     curve.update()
     _restore_handles(curve, wanted)
 
 
 def _restore_handles(curve: FCurve, wanted: Wanted) -> None:
     """Give kept keys the handles back that Blender recomputed because they have a new neighbor."""
-    assert wanted.keys is not None
-    before, after = key_arrays.outside(wanted.keys, wanted.kept_before, wanted.kept_after)
-    kept = np.repeat(before | after, 2)
-    if len(curve.keyframe_points) != len(before):
-        return  # keys nearer than Blender tells apart were merged
-    for name in ("handle_left", "handle_right"):
+    if wanted.keys is None or len(curve.keyframe_points) != key_arrays.count(wanted.keys):
+        return  # nothing is kept; or keys nearer than Blender tells apart were merged
+    kept = _kept(wanted.keys, wanted)
+    for name in HANDLES:
         now, then = read.field(curve, name), wanted.keys[name]
         if not np.array_equal(now[kept], then[kept]):
             curve.keyframe_points.foreach_set(name, np.where(kept, then, now))
+
+
+def _kept(keys: Keys, wanted: Wanted) -> NDArray[np.bool_]:
+    """Return which numbers of the handles belong to keys that are kept bit for bit."""
+    before, after = key_arrays.outside(keys, wanted.kept_before, wanted.kept_after)
+    return np.repeat(before | after, 2)
 
 
 def remove_curve(bag: Bag, curves: read.Index, slot: tuple[str, int]) -> None:

@@ -8,8 +8,8 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
-from .. import preferences, properties, tracks
-from . import outcome, target
+from .. import properties, tracks
+from . import import_file, outcome, target
 
 if TYPE_CHECKING:
     from bpy.types import Context, Event, UILayout
@@ -44,6 +44,7 @@ class MOTION_THEATER_OT_add_track(bpy.types.Operator, ImportHelper):
     bl_options = {"REGISTER", "UNDO", "PRESET"}
 
     filename_ext = ".amc"
+    filepath: import_file.path()
     filter_glob: StringProperty(default="*.amc", options={"HIDDEN"})
     skeleton: StringProperty(
         name="Skeleton",
@@ -97,8 +98,7 @@ class MOTION_THEATER_OT_add_track(bpy.types.Operator, ImportHelper):
     )
 
     def invoke(self, context: Context, event: Event) -> set[str]:
-        preferences.apply(self, context)
-        return self.invoke_popup(context) if self.filepath else ImportHelper.invoke(self, context, event)
+        return import_file.ask(self, context)
 
     def execute(self, context: Context) -> set[str]:
         request = tracks.Request(

@@ -60,7 +60,7 @@ class MOTION_THEATER_OT_filter(bpy.types.Operator):
             entry = stack.add_entry(
                 ob,
                 "FILTER",
-                name=f"{LABELS[self.kind]} {self.depth}",
+                name=LABELS[self.kind],
                 all_bones=bones is None,
                 bones=names.join(bones or ()),
                 filter_kind=self.kind,

@@ -8,10 +8,10 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
-from .. import preferences, skeletons, stack
+from .. import skeletons, stack
 from ..logic.messages import sentences
 from ..properties import BONE_STYLES, UP_AXES
-from . import outcome
+from . import import_file, outcome
 
 if TYPE_CHECKING:
     from bpy.types import Context, Event
@@ -25,6 +25,7 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
     bl_options = {"REGISTER", "UNDO", "PRESET"}
 
     filename_ext = ".asf"
+    filepath: import_file.path()
     filter_glob: StringProperty(default="*.asf", options={"HIDDEN"})
     scale: FloatProperty(
         name="Scale",
@@ -48,8 +49,7 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
     )
 
     def invoke(self, context: Context, event: Event) -> set[str]:
-        preferences.apply(self, context)
-        return self.invoke_popup(context) if self.filepath else ImportHelper.invoke(self, context, event)
+        return import_file.ask(self, context)
 
     def execute(self, context: Context) -> set[str]:
         def import_skeleton() -> str:

@@ -38,8 +38,9 @@ class MOTION_THEATER_OT_relink_source(bpy.types.Operator, ImportHelper):
         return target.allowed(cls, target.track_reason(context))
 
     def invoke(self, context: Context, event: Event) -> set[str]:
-        if not self.filepath:
-            self.filepath = bpy.path.abspath(target.entry(target.armature(context)).source)
+        if not self.properties.is_property_set("filepath"):
+            ob = target.armature(context)
+            self.properties.filepath = sources.absolute(ob, target.entry(ob).source)
         return ImportHelper.invoke(self, context, event)
 
     def execute(self, context: Context) -> set[str]:

@@ -90,8 +90,7 @@ class MOTION_THEATER_PT_stack(bpy.types.Panel):
             words.sentence(layout.box(), context, reason, icon="LOCKED")
         if motion.hand_edited:
             _draw_hand_edits(layout, context, motion)
-        if motion.message and not motion.hand_edited:
-            words.sentence(layout, context, motion.message, icon="INFO")
+        _draw_message(layout, context, motion)
         if not motion.entries:
             hint = text("Select bones in Pose Mode, then add a motion track below")
             words.sentence(layout, context, hint, icon="INFO")
@@ -138,6 +137,13 @@ def _draw_base(layout: UILayout, motion: MotionStack) -> None:
     row = layout.row()
     row.active = False
     row.label(text=message, icon="ACTION", translate=False)
+
+
+def _draw_message(layout: UILayout, context: Context, motion: MotionStack) -> None:
+    """Show the last message, unless an alert says the same already."""
+    shown = motion.hand_edited or motion.message in {entry.error for entry in motion.entries}
+    if motion.message and not shown:
+        words.sentence(layout, context, motion.message, icon="INFO")
 
 
 def _draw_hand_edits(layout: UILayout, context: Context, motion: MotionStack) -> None:

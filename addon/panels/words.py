@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from ..properties import MotionEntry
 
 # Mean width of a character of Blender's interface font, and what icon and margins take, in points.
-CHARACTER_WIDTH = 6.2
-MARGIN = 64
+CHARACTER_WIDTH = 6.4
+MARGIN = 76
 
 
 def sentence(layout: UILayout, context: Context, message: str, *, icon: str = "BLANK1", alert: bool = False) -> None:
@@ -50,7 +50,7 @@ def bone_count(entry: MotionEntry) -> str:
 def extent(entry: MotionEntry) -> str:
     """Return what the list shows beside the name: the frames of a track, the depth of a filter."""
     if entry.kind == "FILTER":
-        return text("Depth {depth}", depth=entry.depth)
+        return str(entry.depth)
     if entry.kind == "TRACK" and entry.result_end > entry.result_start:
         return f"{frame(entry.result_start)}-{frame(entry.result_end)}"
     return ""

@@ -31,6 +31,7 @@ __all__ = [
     "evaluate",
     "filter_rotations",
     "filter_values",
+    "main",
     "read",
     "read_bytes",
 ]
@@ -274,3 +275,6 @@ def evaluate(rig: Rig, base: Sequence[BaseChannel], entries: Sequence[Track | Fi
 
 def digest(arrays: Sequence[NDArray[np.float32]]) -> str:
     """A short hash of float32 arrays, to notice curves that were edited by hand."""
+
+def main() -> int:
+    """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

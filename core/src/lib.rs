@@ -4,32 +4,41 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`] |
+//! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`], or [`Markers`] |
+//! | [`infer`] | what a file does not say: the unit, which axis is up, where it faces |
 //! | [`number`] | decimal numbers in text, fast and exact |
 //! | [`pose`] | forward kinematics |
 //! | [`sample`] | values between frames, other rates |
 //! | [`combine`] | cut, scale, blend and align one track over what was there |
 //! | [`filter`] | median, moving average, weighted average |
+//! | [`recipe`] | a stack as a small TOML or JSON file |
+//! | [`skeleton_search`] | which skeleton file belongs to a motion file |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
+mod bytes;
 pub mod combine;
 pub mod error;
 pub mod euler;
 pub mod filter;
 pub mod formats;
+pub mod infer;
 pub mod keys;
+pub mod markers;
 pub mod motion;
 pub mod number;
 pub mod pose;
 pub mod rate;
 pub mod read;
+pub mod recipe;
 pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
+pub mod skeleton_search;
 pub mod stack;
 mod text;
 pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
+pub use markers::Markers;
 pub use motion::{BoneMotion, Motion};
 pub use skeleton::{Bone, Dof, EulerOrder, LengthUnit, Limit, Skeleton};

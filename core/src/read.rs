@@ -3,7 +3,12 @@
 use crate::error::{MisfitError, ParseError, ReadError};
 use crate::formats::amc::Amc;
 use crate::formats::asf::Asf;
+use crate::formats::bvh::Bvh;
+use crate::formats::c3d::C3d;
+use crate::formats::csm::Csm;
 use crate::formats::kind::{recognise, Kind};
+use crate::formats::trc::Trc;
+use crate::markers::Markers;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
 use std::path::{Path, PathBuf};
@@ -16,10 +21,25 @@ pub enum Format {
     Asf,
     /// Acclaim motion.
     Amc,
+    /// Biovision hierarchy, with or without motion.
+    Bvh,
+    /// Markers and analog signals in binary.
+    C3d,
+    /// Markers of Character Studio.
+    Csm,
+    /// Markers as a table of text.
+    Trc,
 }
 
 /// Every format with its extension, in lower case.
-const FORMATS: [(Format, &str); 2] = [(Format::Asf, "asf"), (Format::Amc, "amc")];
+const FORMATS: [(Format, &str); 6] = [
+    (Format::Asf, "asf"),
+    (Format::Amc, "amc"),
+    (Format::Bvh, "bvh"),
+    (Format::C3d, "c3d"),
+    (Format::Csm, "csm"),
+    (Format::Trc, "trc"),
+];
 
 impl Format {
     /// Returns the format's extension in lower case, without a dot.
@@ -27,15 +47,26 @@ impl Format {
         FORMATS.iter().find(|(format, _)| *format == self).map_or("", |(_, extension)| extension)
     }
 
+    /// Returns the format of an extension, in either case and without a dot.
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
+    }
+
+    /// Returns the extensions of all formats in words: "asf, amc, bvh".
+    pub fn list() -> String {
+        FORMATS.map(|(_, extension)| extension).join(", ")
+    }
+
     /// Returns what the bytes are by their content, or else by the extension of `name`.
     fn of(source: &[u8], name: &Path) -> Option<Self> {
-        let by_extension = || {
-            let extension = name.extension()?.to_str()?;
-            FORMATS.iter().find(|(_, known)| extension.eq_ignore_ascii_case(known)).map(|(format, _)| *format)
-        };
+        let by_extension = || Self::from_extension(name.extension()?.to_str()?);
         match recognise(source) {
             Some(Kind::Asf) => Some(Self::Asf),
             Some(Kind::Amc) => Some(Self::Amc),
+            Some(Kind::Bvh) => Some(Self::Bvh),
+            Some(Kind::C3d) => Some(Self::C3d),
+            Some(Kind::Csm) => Some(Self::Csm),
+            Some(Kind::Trc) => Some(Self::Trc),
             Some(Kind::Foreign(_)) | None => by_extension(),
         }
     }
@@ -51,6 +82,16 @@ pub struct Clip {
     pub asf: Option<Asf>,
     /// What the file says, where it is an Acclaim motion.
     pub amc: Option<Amc>,
+    /// What the file says, where it is a BVH.
+    pub bvh: Option<Bvh>,
+    /// What the file says, where it is a C3D.
+    pub c3d: Option<C3d>,
+    /// What the file says, where it is a CSM.
+    pub csm: Option<Csm>,
+    /// What the file says, where it is a TRC.
+    pub trc: Option<Trc>,
+    /// The file's markers.
+    pub markers: Option<Markers>,
     /// The file's own skeleton.
     pub skeleton: Option<Skeleton>,
     /// The file's motion, on its own skeleton or the one that was given; an AMC has none without.
@@ -60,14 +101,45 @@ pub struct Clip {
 }
 
 impl Clip {
+    fn new(format: Format) -> Self {
+        Self {
+            format,
+            asf: None,
+            amc: None,
+            bvh: None,
+            c3d: None,
+            csm: None,
+            trc: None,
+            markers: None,
+            skeleton: None,
+            motion: None,
+            notices: Vec::new(),
+        }
+    }
+
+    /// Takes markers and what the user should know of them, and says what was inferred.
+    fn of_markers(format: Format, (markers, mut notices): (Markers, Vec<String>)) -> Self {
+        notices.push(format!("Length unit: {}", markers.unit.reason));
+        notices.push(format!("Up axis: {}", markers.up.reason));
+        Self { markers: Some(markers), notices, ..Self::new(format) }
+    }
+
     /// Returns the file anew: the same values, names and order.
     pub fn to_bytes(&self) -> Vec<u8> {
         let asf = self.asf.as_ref().map(Asf::to_bytes);
-        asf.or_else(|| self.amc.as_ref().map(Amc::to_bytes)).unwrap_or_default()
+        let c3d = || self.c3d.as_ref().map(C3d::to_bytes);
+        let csm = || self.csm.as_ref().map(Csm::to_bytes);
+        let trc = || self.trc.as_ref().map(Trc::to_bytes);
+        let amc = || self.amc.as_ref().map(Amc::to_bytes);
+        let bvh = || self.bvh.as_ref().map(Bvh::to_bytes);
+        asf.or_else(amc).or_else(bvh).or_else(c3d).or_else(csm).or_else(trc).unwrap_or_default()
     }
 
-    /// Returns the names of the bones, in file order.
+    /// Returns the names of the bones or markers, in file order.
     pub fn names(&self) -> Vec<String> {
+        if let Some(markers) = &self.markers {
+            return markers.names.clone();
+        }
         match (&self.amc, &self.skeleton) {
             (Some(amc), _) => amc.bones.iter().map(|bone| bone.name.clone()).collect(),
             (None, Some(skeleton)) => skeleton.bones.iter().map(|bone| bone.name.clone()).collect(),
@@ -77,25 +149,31 @@ impl Clip {
 
     /// Returns how many frames of motion there are.
     pub fn frame_count(&self) -> usize {
-        self.amc.as_ref().map_or(0, |amc| amc.frame_count)
+        let of_bvh = || self.bvh.as_ref()?.motion.as_ref().map(|motion| motion.frame_count);
+        let of_markers = || self.markers.as_ref().map(Markers::frame_count);
+        self.amc.as_ref().map(|amc| amc.frame_count).or_else(of_bvh).or_else(of_markers).unwrap_or(0)
     }
 
     /// Returns the file's own number of the first frame; 1 without motion.
     pub fn first_frame(&self) -> i64 {
-        self.amc.as_ref().map_or(1, |amc| amc.first_frame)
+        let of_markers = || self.markers.as_ref().map(|markers| markers.first_frame);
+        self.amc.as_ref().map(|amc| amc.first_frame).or_else(of_markers).unwrap_or(1)
     }
 
     /// Returns the frames per second; `None` where the file does not say.
     pub fn rate_hz(&self) -> Option<f64> {
-        self.amc.as_ref()?.header.rate_hz
+        let of_bvh = || self.bvh.as_ref()?.motion.as_ref()?.rate_hz();
+        let of_markers = || self.markers.as_ref()?.rate_hz;
+        self.amc.as_ref().and_then(|amc| amc.header.rate_hz).or_else(of_bvh).or_else(of_markers)
     }
 
-    /// Returns the motion on a skeleton, with what the user should know.
+    /// Returns the motion of an AMC on a skeleton, with what the user should know.
     ///
     /// # Errors
-    /// Where the file has no motion, or one of other bones.
+    /// Where the file has no motion, one of other bones, or one with a skeleton of its own.
     pub fn bind(&self, skeleton: &Skeleton) -> Result<(Motion, Vec<String>), MisfitError> {
-        let no_motion = || MisfitError { bones: vec!["the file has no motion".to_owned()] };
+        let why = if self.bvh.is_some() { "the file has a skeleton of its own" } else { "the file has no motion" };
+        let no_motion = || MisfitError { bones: vec![why.to_owned()] };
         self.amc.as_ref().ok_or_else(no_motion)?.motion(skeleton)
     }
 }
@@ -109,6 +187,10 @@ impl Clip {
 /// Where the disk fails, the file is wrong, or the motion and `skeleton` do not belong together.
 pub fn read_path(path: &Path, skeleton: Option<&Skeleton>) -> Result<Clip, ReadError> {
     let source = std::fs::read(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    if Format::of(&source, path) == Some(Format::C3d) {
+        // A C3D keeps its bytes: these need no copy.
+        return c3d_clip(source, path);
+    }
     read_bytes(&source, path, skeleton)
 }
 
@@ -124,8 +206,28 @@ pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Re
             let amc = Amc::parse(source).map_err(wrong)?;
             amc_clip(amc, skeleton).map_err(|error| ReadError::Misfit { path: PathBuf::from(name), error })
         }
+        Some(Format::Bvh) => Ok(bvh_clip(Bvh::parse(source).map_err(wrong)?)),
+        Some(Format::C3d) => c3d_clip(source.to_vec(), name),
+        Some(Format::Csm) => Ok(csm_clip(Csm::parse(source).map_err(wrong)?)),
+        Some(Format::Trc) => Ok(trc_clip(Trc::parse(source).map_err(wrong)?)),
         None => Err(wrong(unknown(source))),
     }
+}
+
+fn c3d_clip(source: Vec<u8>, name: &Path) -> Result<Clip, ReadError> {
+    let c3d = C3d::parse(source).map_err(|error| ReadError::Parse { path: PathBuf::from(name), error })?;
+    let markers = c3d.markers();
+    Ok(Clip { c3d: Some(c3d), ..Clip::of_markers(Format::C3d, markers) })
+}
+
+fn csm_clip(csm: Csm) -> Clip {
+    let markers = csm.markers();
+    Clip { csm: Some(csm), ..Clip::of_markers(Format::Csm, markers) }
+}
+
+fn trc_clip(trc: Trc) -> Clip {
+    let markers = trc.markers();
+    Clip { trc: Some(trc), ..Clip::of_markers(Format::Trc, markers) }
 }
 
 fn asf_clip(asf: Asf) -> Clip {
@@ -135,7 +237,7 @@ fn asf_clip(asf: Asf) -> Clip {
     if skeleton.up != glam::DVec3::Y {
         notices.push("Z is taken as up, for the rest pose is far longer along Z than along Y".to_owned());
     }
-    Clip { format: Format::Asf, asf: Some(asf), amc: None, skeleton: Some(skeleton), motion: None, notices }
+    Clip { asf: Some(asf), skeleton: Some(skeleton), notices, ..Clip::new(Format::Asf) }
 }
 
 fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> {
@@ -143,11 +245,21 @@ fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> 
         Some((motion, notices)) => (Some(motion), notices),
         None => (None, amc.notices()),
     };
-    Ok(Clip { format: Format::Amc, asf: None, amc: Some(amc), skeleton: None, motion, notices })
+    Ok(Clip { amc: Some(amc), motion, notices, ..Clip::new(Format::Amc) })
+}
+
+fn bvh_clip(bvh: Bvh) -> Clip {
+    let (skeleton, motion) = bvh.skeleton_and_motion();
+    let mut notices = bvh.notices();
+    notices.push(format!("Length unit: {}", skeleton.unit.reason));
+    if skeleton.up != glam::DVec3::Y {
+        notices.push("Up axis: the figure does not stand along Y".to_owned());
+    }
+    Clip { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Clip::new(Format::Bvh) }
 }
 
 fn unknown(source: &[u8]) -> ParseError {
-    let expected = "an Acclaim skeleton (.asf) or an Acclaim motion (.amc)";
+    let expected = "an Acclaim skeleton (.asf), a motion (.amc, .bvh) or markers (.c3d, .csm, .trc)";
     let found = match recognise(source) {
         _ if source.is_empty() => "an empty file".to_owned(),
         Some(kind) => kind.to_string(),

@@ -82,7 +82,12 @@ pub(crate) struct Word<'a> {
     pub(crate) at: usize,
 }
 
-impl Word<'_> {
+impl<'a> Word<'a> {
+    /// Takes the bytes of `source` from `at` on as a word.
+    pub(crate) fn new(source: &'a [u8], at: usize, length: usize) -> Self {
+        Self { source, bytes: source.get(at..at + length).unwrap_or_default(), at }
+    }
+
     /// Compares as keywords are compared: case does not matter.
     pub(crate) fn is(&self, keyword: &str) -> bool {
         self.bytes.eq_ignore_ascii_case(keyword.as_bytes())
@@ -194,6 +199,28 @@ impl<'a> Iterator for Words<'a> {
 #[inline]
 pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\x0B' | b'\x0C')
+}
+
+/// Returns the text behind blanks at its start.
+#[inline]
+pub(crate) fn skip_blanks(mut text: &[u8]) -> &[u8] {
+    while let [byte, rest @ ..] = text {
+        if !is_blank(*byte) {
+            break;
+        }
+        text = rest;
+    }
+    text
+}
+
+/// Returns the text behind blanks and one line end, or at the end of the file; `None` where the line goes on.
+#[inline]
+pub(crate) fn end_of_line(text: &[u8]) -> Option<&[u8]> {
+    match skip_blanks(text) {
+        [b'\r', b'\n', rest @ ..] | [b'\n' | b'\r', rest @ ..] => Some(rest),
+        [] => Some(&[]),
+        _ => None,
+    }
 }
 
 /// Returns the error at byte `at` of `source`.

@@ -1,6 +1,7 @@
 //! What a channel can hold: a rotation, a rotation that is shown as Euler angles, or a location.
 
 use glam::{DQuat, DVec3};
+use serde::{Deserialize, Serialize};
 
 use crate::error::ParameterError;
 use crate::filter::components::by_component;
@@ -10,7 +11,8 @@ use crate::sample::{sample_angles, sample_rotation, sample_vector, slerp, Sampli
 use crate::skeleton::EulerOrder;
 
 /// How a crossfade mixes two rotations.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
 pub enum Blend {
     /// As rotations, on the shorter arc.
     #[default]
@@ -20,12 +22,14 @@ pub enum Blend {
 }
 
 /// Whether a filter sees rotations or single curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
 pub enum FilterChannels {
     /// Rotations are filtered as rotations.
     #[default]
     Rotation,
     /// The classic way: every curve by itself.
+    #[serde(rename = "CHANNELS")]
     Each,
 }
 

@@ -70,7 +70,7 @@ fn a_motion_cut_at_any_byte_is_refused_unless_whole_frames_are_left() {
 fn what_is_no_motion_capture_is_called_by_its_name() {
     let utf_16: Vec<u8> = [0xFF, 0xFE].into_iter().chain(SKELETON.bytes().flat_map(|byte| [byte, 0])).collect();
     let noise: Vec<u8> = (0..4000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
-    let wanted = "an Acclaim skeleton (.asf) or an Acclaim motion (.amc)";
+    let wanted = "an Acclaim skeleton (.asf), an Acclaim motion (.amc) or a BVH motion (.bvh)";
     let table: [(&str, &[u8], &str, &str); 14] = [
         ("a.bin", b"", wanted, "an empty file"),
         ("a.bin", b"\n \n", wanted, "text of an unknown kind"),
@@ -81,7 +81,7 @@ fn what_is_no_motion_capture_is_called_by_its_name() {
         ("a.asf", &utf_16[2..], "an Acclaim skeleton (.asf)", "UTF-16 text; save it as UTF-8"),
         ("a.amc", &utf_16[3..], "an Acclaim motion (.amc)", "UTF-16 text; save it as UTF-8"),
         ("a.amc", b"<!DOCTYPE html><html>", "an Acclaim motion (.amc)", "a web page (HTML)"),
-        ("a.amc", b"HIERARCHY\nROOT Hips", "an Acclaim motion (.amc)", "a BVH motion (.bvh)"),
+        ("a.bvh", &noise, "a BVH motion (.bvh)", "binary data"),
         ("a.amc", b"\x02\x50\x29\x00", "an Acclaim motion (.amc)", "a C3D marker file (.c3d)"),
         (
             "a.asf",

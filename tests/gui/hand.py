@@ -172,7 +172,7 @@ def choose_file(folder: str, filename: str) -> Session:
     """In the file browser, type the folder where it is another one, type the name, and press the button."""
     yield from settle(2)
     if Path(drive.area("FILE_BROWSER").spaces.active.params.directory.decode()) != Path(folder):
-        place = yield from find_field("params.directory", kind="UI", of="FILE_BROWSER")
+        place = yield from find_field("params.directory", kind="UI", of="FILE_BROWSER", column=0.3)
         yield from write(place, folder)
         yield from tap("RET")  # the first one only completes the path
         yield from settle(2)

@@ -8,8 +8,9 @@ from pathlib import Path
 import addon_utils
 import bpy
 import drive
-import hand
 import numpy as np
+
+from tests.gui import hand
 
 PROJECT = Path("/project")
 TESTDATA = str(PROJECT / "testdata")
@@ -34,7 +35,7 @@ def install() -> None:
     assert hasattr(bpy.types, "MOTION_THEATER_PT_stack"), "the native module was not loaded: see the messages above"
 
 
-def empty_scene(rate_hz: int = 120) -> hand.Session:
+def empty_scene(rate_hz: int = 60) -> hand.Session:
     """Delete what a new file holds, with the keys a user would press; the scene runs at the clips' rate."""
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     bpy.context.scene.render.fps = rate_hz
@@ -87,7 +88,21 @@ def selected_bones() -> set[str]:
     return {bone.name for bone in armature().pose.bones if bone.select}
 
 
-def last_report() -> str:
-    """Return the last line of Blender's own list of messages."""
-    reports = bpy.context.window_manager.reports if hasattr(bpy.context.window_manager, "reports") else ()
-    return reports[-1].message if reports else ""
+def keep_step(name: str) -> None:
+    """End a preparation made by script as one undo step."""
+    bpy.ops.ed.undo_push(message=name)
+
+
+def prepared() -> hand.Session:
+    """Install, empty the scene, import the skeleton and add two tracks: where the other sessions begin."""
+    install()
+    yield from empty_scene()
+    bpy.ops.motion_theater.import_skeleton(filepath=f"{TESTDATA}/human.asf")
+    bpy.ops.motion_theater.add_track(filepath=f"{TESTDATA}/step_and_jump.amc")
+    bpy.ops.motion_theater.add_track(
+        filepath=f"{TESTDATA}/wave.amc", cut_start=1, cut_end=55, scale_start=1, scale_end=66
+    )
+    yield from look_from_the_front()
+    yield from enter_pose_mode()
+    yield from hand.open_tab()
+    keep_step("Prepared")

@@ -10,12 +10,12 @@ import sys
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 import bpy
 import drive
-import hand
-import stage
+
+from tests.gui import hand, stage
 
 LEGS = {"root"} | {
     f"{side}{bone}" for side in "lr" for bone in ("hipjoint", "femur", "tibia", "foot", "toes")
@@ -62,6 +62,8 @@ def picture(name: str, frame: int) -> hand.Session:
     """Take a picture of the window at a frame of the motion."""
     print(f"{time.monotonic() - began:6.1f} s  {name}", flush=True)
     bpy.context.scene.frame_set(frame)
+    yield from drive.key("HOME")
+    yield 0.6
     yield from hand.scroll("WHEELUPMOUSE", notches=40)
     yield from hand.shot(name)
 
@@ -114,7 +116,8 @@ def upper_body() -> hand.Session:
 def filter_arms() -> hand.Session:
     """Step 5: the weighted average over seven values on both arms."""
     stage.armature().data.pose_position = "REST"
-    yield from hand.settle(1)
+    yield from drive.key("HOME")
+    yield from hand.settle()
     yield from drive.key("A", alt=True)
     yield from box(300, 600, 1010, 690)
     yield from box(600, 560, 715, 740, shift=True)

@@ -100,7 +100,7 @@ def test_a_track_shows_its_file_bones_and_settings() -> None:
 def test_the_list_shows_frames_depth_and_whether_an_entry_is_on() -> None:
     ob = jumping_human()
     bpy.ops.motion_theater.filter(kind="WEIGHTED", depth=7, selected_only=False)
-    assert "Depth 7" in draw_list_row(1).texts()
+    assert "7" in draw_list_row(1).texts()
     assert draw_list_row(0).find("enabled").icon == "HIDE_OFF"
     stack.of(ob).entries[0].enabled = False
     row = draw_list_row(0)
@@ -140,6 +140,7 @@ def test_a_missing_source_is_said_with_a_way_to_find_it(tmp_path: Path) -> None:
     assert "motion_theater.relink_source" in layout.names("operator")
     assert any(shown.alert and shown.text for shown in layout.shown)
     assert "ERROR" in {shown.icon for shown in draw_list_row(0).shown}
+    assert "INFO" not in {shown.icon for shown in draw(stack_panel.MOTION_THEATER_PT_stack, bpy.context).shown}
     draw_all()
 
 

@@ -16,6 +16,7 @@ from tests import harness
 
 stack = harness.module("stack")
 compat = harness.module("compat")
+UserError = harness.module("logic.messages").UserError
 FRAMES = (1, 13, 40, 77)
 
 
@@ -87,6 +88,32 @@ def test_linking_with_an_override(tmp_path: Path) -> None:
     assert harness.same_keys(now, harness.keys(reopened))
     assert [entry.name for entry in reopened.motion_theater.entries] == ["walk", "wave", "turn"]
     assert edited_and_back(reopened)
+
+
+def test_entries_of_the_library_stay_in_place_in_an_override(tmp_path: Path) -> None:
+    path = str(tmp_path / "library.blend")
+    bpy.data.libraries.write(path, {performing()})
+    harness.empty_file()
+    own = harness.load_human(path, link=True).override_create(remap_local_usages=True)
+    own.override_library.is_system_override = False
+    bpy.context.view_layer.objects.active = own
+
+    def names() -> list[str]:
+        return [entry.name for entry in own.motion_theater.entries]
+
+    for refused in (lambda: stack.remove_entry(own, 0), lambda: stack.move_entry(own, 1, -1)):
+        with pytest.raises(UserError, match="switch it off instead"):
+            refused()
+    assert "before it starts" in harness.refusal(lambda: harness.add("turn.amc", cut_start=5, cut_end=2))
+    assert names() == ["walk", "wave"]
+    harness.add("turn.amc")
+    stack.duplicate_entry(own, 0)
+    assert names() == ["walk", "wave", "walk", "turn"]
+    stack.move_entry(own, 2, 1)
+    stack.remove_entry(own, 3)
+    assert names() == ["walk", "wave", "turn"]
+    own.motion_theater.entries[0].enabled = False
+    assert own.motion_theater.hand_edited == ""
 
 
 @pytest.mark.parametrize("linked", [False, True], ids=["Shift+D", "Alt+D"])

@@ -120,6 +120,13 @@ def test_the_up_axis_can_be_chosen() -> None:
     assert np.allclose(by_y, (x, -z, y), atol=1e-6)
 
 
+def test_the_path_of_the_last_import_is_not_remembered() -> None:
+    for operator in (bpy.ops.motion_theater.import_skeleton, bpy.ops.motion_theater.add_track):
+        properties = operator.get_rna_type().properties
+        assert properties["filepath"].is_skip_save
+        assert not properties["scene_range" if "scene_range" in properties else "scale"].is_skip_save
+
+
 def test_long_and_foreign_names_are_mapped(tmp_path: Path) -> None:
     long, foreign = "left_femur_" * 8, "schl\u00fcsselbein"
     path = tmp_path / "names.asf"

@@ -155,9 +155,10 @@ def test_a_duplicate_has_all_settings_and_lies_above() -> None:
     assert ob.motion_theater.active == 1
 
 
-def test_an_edit_writes_only_the_curves_that_change(monkeypatch: pytest.MonkeyPatch) -> None:
-    ob = harness.import_human()
-    harness.add("walk.amc")
+@pytest.mark.parametrize("make", [harness.import_human, human_with_base])
+def test_an_edit_writes_only_the_curves_that_change(monkeypatch: pytest.MonkeyPatch, make: Any) -> None:
+    ob = make()
+    harness.add("walk.amc", scale_start=20, scale_end=60)
     harness.select(ob, ARM)
     harness.add("wave.amc", selected_only=True)
     write = harness.module("curves.write")

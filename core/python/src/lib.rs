@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 mod arrays;
 mod clip;
+mod command_line;
 mod entries;
 mod errors;
 mod evaluation;
@@ -32,6 +33,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<evaluation::PyResultChannel>()?;
     module.add_class::<evaluation::PyNotice>()?;
     module.add_class::<evaluation::PyEvaluation>()?;
+    module.add_function(wrap_pyfunction!(command_line::main, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_values, module)?)?;

@@ -1,5 +1,7 @@
 //! Cut and scale: which scene frames a track covers, and which file frame each of them shows.
 
+use serde::{Deserialize, Serialize};
+
 use crate::error::ParameterError;
 use crate::keys::SAME_FRAME;
 
@@ -19,7 +21,8 @@ impl Span {
 }
 
 /// Where a track's keys stand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
 pub enum KeySpacing {
     /// On whole scene frames.
     #[default]

@@ -33,10 +33,13 @@ pub use angles::{filter_angles, unwrap_angles};
 pub use channels::{filter_channels, filter_values};
 pub use rotation::filter_rotations;
 
+use serde::{Deserialize, Serialize};
+
 use crate::ParameterError;
 
 /// Which value stands for a window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
 pub enum FilterKind {
     /// The middle of the sorted window.
     Median,

@@ -11,6 +11,14 @@ pub(crate) enum Kind {
     Asf,
     /// A kind that has a reader.
     Amc,
+    /// A kind that has a reader.
+    Bvh,
+    /// A kind that has a reader.
+    C3d,
+    /// A kind that has a reader.
+    Csm,
+    /// A kind that has a reader.
+    Trc,
     /// Anything else that people take for motion capture, in words.
     Foreign(&'static str),
 }
@@ -20,29 +28,33 @@ impl fmt::Display for Kind {
         f.write_str(match self {
             Self::Asf => "an Acclaim skeleton (.asf)",
             Self::Amc => "an Acclaim motion (.amc)",
+            Self::Bvh => "a BVH motion (.bvh)",
+            Self::C3d => "a C3D marker file (.c3d)",
+            Self::Csm => "a CSM marker file (.csm)",
+            Self::Trc => "a TRC marker file (.trc)",
             Self::Foreign(words) => words,
         })
     }
 }
 
-/// How files begin that are neither ASF nor AMC; letters match in either case.
-const BEGINNINGS: &[(&[u8], &str)] = &[
-    (b"\xFF\xFE", "UTF-16 text; save it as UTF-8"),
-    (b"\xFE\xFF", "UTF-16 text; save it as UTF-8"),
-    (b"HIERARCHY", "a BVH motion (.bvh)"),
-    (b"$", "a CSM marker file (.csm)"),
-    (b"PathFileType", "a TRC marker file (.trc)"),
-    (b"Kaydara FBX Binary", "an FBX file (.fbx)"),
-    (b"; FBX", "an FBX file (.fbx)"),
-    (b"BLENDER", "a Blender file (.blend)"),
-    (b"<!DOCTYPE html", "a web page (HTML)"),
-    (b"<html", "a web page (HTML)"),
-    (b"<", "an XML file"),
-    (b"{", "a JSON file"),
-    (b"version https://git-lfs", "a Git LFS pointer instead of the file itself"),
-    (b"PK\x03\x04", "a ZIP archive"),
-    (b"\x1F\x8B", "a gzip archive"),
-    (b"%PDF", "a PDF document"),
+/// How files begin, but for ASF and AMC; letters match in either case.
+const BEGINNINGS: &[(&[u8], Kind)] = &[
+    (b"\xFF\xFE", Kind::Foreign("UTF-16 text; save it as UTF-8")),
+    (b"\xFE\xFF", Kind::Foreign("UTF-16 text; save it as UTF-8")),
+    (b"HIERARCHY", Kind::Bvh),
+    (b"$", Kind::Csm),
+    (b"PathFileType", Kind::Trc),
+    (b"Kaydara FBX Binary", Kind::Foreign("an FBX file (.fbx)")),
+    (b"; FBX", Kind::Foreign("an FBX file (.fbx)")),
+    (b"BLENDER", Kind::Foreign("a Blender file (.blend)")),
+    (b"<!DOCTYPE html", Kind::Foreign("a web page (HTML)")),
+    (b"<html", Kind::Foreign("a web page (HTML)")),
+    (b"<", Kind::Foreign("an XML file")),
+    (b"{", Kind::Foreign("a JSON file")),
+    (b"version https://git-lfs", Kind::Foreign("a Git LFS pointer instead of the file itself")),
+    (b"PK\x03\x04", Kind::Foreign("a ZIP archive")),
+    (b"\x1F\x8B", Kind::Foreign("a gzip archive")),
+    (b"%PDF", Kind::Foreign("a PDF document")),
 ];
 
 /// Words that begin a line of a skeleton and never one of a motion.
@@ -60,12 +72,12 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
     let head = source.get(..HEAD_BYTES).unwrap_or(source);
     let text = head.get(Lines::new(head).at()..).unwrap_or_default().trim_ascii_start();
     let is_like = |beginning: &[u8]| text.get(..beginning.len()).is_some_and(|t| t.eq_ignore_ascii_case(beginning));
-    if let Some((_, words)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
-        return Some(Kind::Foreign(words));
+    if let Some((_, kind)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
+        return Some(*kind);
     }
     if source.contains(&0) {
         if matches!(head, [block, 0x50, ..] if *block < b' ') {
-            return Some(Kind::Foreign("a C3D marker file (.c3d)"));
+            return Some(Kind::C3d);
         }
         return Some(Kind::Foreign(if looks_like_utf16(head) {
             "UTF-16 text; save it as UTF-8"

@@ -1,11 +1,17 @@
 //! One file or folder per format, named after it.
 //!
-//! Each goes in three steps: bytes -> what the file says ([`asf::Asf`], [`amc::Amc`]: its own units, order and names)
-//! -> our [`Skeleton`](crate::Skeleton) and [`Motion`](crate::Motion). Writers go the same way back.
+//! Each goes in three steps: bytes -> what the file says ([`asf::Asf`], [`bvh::Bvh`], [`c3d::C3d`]: its own units, order and
+//! names) -> our [`Skeleton`](crate::Skeleton) and [`Motion`](crate::Motion), or [`Markers`](crate::Markers). Writers go the
+//! same way back.
 
 pub mod amc;
 pub mod asf;
+pub mod bvh;
+pub mod c3d;
+pub mod csm;
+mod fields;
 pub(crate) mod kind;
+pub mod trc;
 
 /// The unit in which an Acclaim file gives angles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -14,8 +14,11 @@ pub use lowpass::{lowpass_angles, lowpass_rotations, lowpass_values, lowpass_vec
 pub use rotation::{align_hemispheres, angle_between, sample_rotation, slerp};
 pub use vector::{sample_angles, sample_value, sample_vector};
 
+use serde::{Deserialize, Serialize};
+
 /// How to go from one sample to the next.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
 pub enum Sampling {
     /// In a straight line; rotations by slerp on the shorter arc.
     #[default]

@@ -5,17 +5,17 @@ use glam::{DQuat, DVec3};
 use super::entry::{FilterEntry, Prepared, PreparedTrack};
 use super::notice::Event;
 use super::output::{Channel, ResultChannel};
-use super::rig::{BaseChannel, Mode, Rig, RigBone};
+use super::rig::{BaseChannel, Rig, RigBone};
 use crate::combine::{align, lay_over, Manner, Overlay, Rigid, RootPose};
 use crate::keys::{Interpolation, Key, Keys, SAME_FRAME};
 use crate::motion::BoneMotion;
 use crate::value::{EulerFrame, Turn, Value};
 
-/// What became of one bone.
-pub(super) struct Outcome {
-    pub bone: usize,
-    pub channels: Vec<ResultChannel>,
-    /// Which entry had something to say, and what.
+/// What became of one bone: its channels and which entry had something to say.
+pub(super) struct Outcome<R> {
+    pub rotation: Lane<R>,
+    pub location: Lane<DVec3>,
+    /// Which entry, and what.
     pub events: Vec<(usize, Event)>,
 }
 
@@ -70,10 +70,10 @@ impl Rotation for Turn {
 }
 
 /// One channel on its way through the stack.
-struct Lane<V> {
-    keys: Keys<V>,
+pub(super) struct Lane<V> {
+    pub keys: Keys<V>,
     /// First and last frame at which an entry changed something.
-    touched: Option<(f64, f64)>,
+    pub touched: Option<(f64, f64)>,
     /// Frames of the host's own keys in the base.
     base_keys: Vec<f64>,
 }
@@ -148,13 +148,10 @@ pub(super) fn evaluate<R: Rotation>(
     index: usize,
     base: &[BaseChannel],
     entries: &[Prepared<'_>],
-) -> Outcome {
+) -> Outcome<R> {
     let bone = &rig.bones[index];
     let frame = bone.euler_frame();
-    let rotation_channel = match bone.mode {
-        Mode::Quaternion => Channel::RotationQuaternion,
-        Mode::Euler(_) => Channel::RotationEuler,
-    };
+    let rotation_channel = bone.rotation_channel();
     let find = |channel| base.iter().find(|found| found.bone == index && found.channel == channel);
     let mut state = State {
         bone,
@@ -174,17 +171,26 @@ pub(super) fn evaluate<R: Rotation>(
         };
         events.extend(said.into_iter().map(|event| (number, event)));
     }
-    let rotation = state.rotation.replaced().map(|range| {
-        ResultChannel::new(index, rotation_channel, range, &state.rotation.keys, |value, components| {
-            value.write(&frame, components);
-        })
-    });
-    let location = state.location.replaced().map(|range| {
-        ResultChannel::new(index, Channel::Location, range, &state.location.keys, |value, components| {
-            components[..3].copy_from_slice(&value.to_array());
-        })
-    });
-    Outcome { bone: index, channels: rotation.into_iter().chain(location).collect(), events }
+    Outcome { rotation: state.rotation, location: state.location, events }
+}
+
+impl<R: Rotation> Outcome<R> {
+    /// Returns what is to be written of bone `index`, and the events.
+    pub fn into_channels(self, rig: &Rig, index: usize) -> (Vec<ResultChannel>, Vec<(usize, Event)>) {
+        let bone = &rig.bones[index];
+        let frame = bone.euler_frame();
+        let rotation = self.rotation.replaced().map(|range| {
+            ResultChannel::new(index, bone.rotation_channel(), range, &self.rotation.keys, |value, components| {
+                value.write(&frame, components);
+            })
+        });
+        let location = self.location.replaced().map(|range| {
+            ResultChannel::new(index, Channel::Location, range, &self.location.keys, |value, components| {
+                components[..3].copy_from_slice(&value.to_array());
+            })
+        });
+        (rotation.into_iter().chain(location).collect(), self.events)
+    }
 }
 
 struct State<'a, R> {

@@ -6,14 +6,16 @@
 mod bone;
 mod entry;
 mod notice;
+mod on_skeleton;
 mod output;
 mod rig;
 mod source;
 
 use rayon::prelude::*;
 
-pub use entry::{Entry, FilterEntry, Track};
+pub use entry::{Entry, FilterEntry, Track, ASSUMED_RATE_HZ};
 pub use notice::Notice;
+pub use on_skeleton::{evaluate_on, on_skeleton};
 pub use output::{Channel, ResultChannel};
 pub use rig::{BaseChannel, Mode, Rig, RigBone};
 pub use source::Source;
@@ -41,15 +43,15 @@ pub struct Evaluation {
 /// Where an entry's frames make no sense; the message begins with the entry's label.
 pub fn evaluate(rig: &Rig, base: &[BaseChannel], entries: &[Entry]) -> Result<Evaluation, ParameterError> {
     let prepared = entries.iter().map(|entry| entry.prepare(rig)).collect::<Result<Vec<_>, _>>()?;
-    let outcomes: Vec<bone::Outcome> = (0..rig.bones.len())
+    let (channels, events): (Vec<_>, Vec<_>) = (0..rig.bones.len())
         .into_par_iter()
         .map(|index| match rig.bones[index].mode {
-            Mode::Quaternion => bone::evaluate::<glam::DQuat>(rig, index, base, &prepared),
-            Mode::Euler(_) => bone::evaluate::<Turn>(rig, index, base, &prepared),
+            Mode::Quaternion => bone::evaluate::<glam::DQuat>(rig, index, base, &prepared).into_channels(rig, index),
+            Mode::Euler(_) => bone::evaluate::<Turn>(rig, index, base, &prepared).into_channels(rig, index),
         })
-        .collect();
-    let notices = notice::collect(rig, &prepared, &outcomes);
-    let channels: Vec<ResultChannel> = outcomes.into_iter().flat_map(|outcome| outcome.channels).collect();
+        .unzip();
+    let notices = notice::collect(rig, &prepared, &events);
+    let channels: Vec<ResultChannel> = channels.into_iter().flatten().collect();
     let range = channels.iter().filter_map(ResultChannel::key_range).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
     Ok(Evaluation { channels, notices, range })
 }

@@ -1,6 +1,5 @@
 //! What a user should know about an entry, in words.
 
-use super::bone::Outcome;
 use super::entry::{Prepared, PreparedTrack, ASSUMED_RATE_HZ};
 use super::rig::Rig;
 use crate::combine::{Border, Borders, Depth};
@@ -45,12 +44,13 @@ impl Event {
 }
 
 /// Turns what happened to single bones into sentences about entries.
-pub(super) fn collect(rig: &Rig, entries: &[Prepared<'_>], outcomes: &[Outcome]) -> Vec<Notice> {
+///
+/// `events` has one list per bone: which entry, and what.
+pub(super) fn collect(rig: &Rig, entries: &[Prepared<'_>], events: &[Vec<(usize, Event)>]) -> Vec<Notice> {
     let mut notices = Vec::new();
     for (number, entry) in entries.iter().enumerate() {
-        let events: Vec<(usize, Event)> = outcomes
-            .iter()
-            .flat_map(|outcome| outcome.events.iter().map(move |&(entry, event)| (entry, outcome.bone, event)))
+        let events: Vec<(usize, Event)> = (events.iter().enumerate())
+            .flat_map(|(bone, events)| events.iter().map(move |&(entry, event)| (entry, bone, event)))
             .filter(|&(entry, ..)| entry == number)
             .map(|(_, bone, event)| (bone, event))
             .collect();

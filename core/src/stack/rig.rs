@@ -41,6 +41,14 @@ impl RigBone {
             Mode::Euler(order) => EulerFrame { axes: DQuat::IDENTITY, order },
         }
     }
+
+    /// Returns the channel that holds this bone's rotations.
+    pub fn rotation_channel(&self) -> Channel {
+        match self.mode {
+            Mode::Quaternion => Channel::RotationQuaternion,
+            Mode::Euler(_) => Channel::RotationEuler,
+        }
+    }
 }
 
 /// The armature a stack is evaluated for.

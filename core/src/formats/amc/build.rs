@@ -4,7 +4,7 @@ use super::{Amc, AmcBone, AmcHeader};
 use crate::formats::asf::{file_names, rotation_order, ROOT};
 use crate::formats::AngleUnit;
 use crate::motion::{BoneMotion, Motion};
-use crate::skeleton::{Bone, Dof, EulerOrder, Skeleton};
+use crate::skeleton::{Bone, Dof, EulerOrder, Limit, Skeleton};
 use glam::{DQuat, DVec3, EulerRot};
 
 impl Amc {
@@ -49,6 +49,7 @@ impl Amc {
 pub fn with_dofs_for(skeleton: &Skeleton, motion: &Motion) -> Skeleton {
     let mut skeleton = skeleton.clone();
     for (bone, channels) in skeleton.bones.iter_mut().zip(&motion.bones) {
+        list_rotations_as_applied(bone);
         let needed = needed_dofs(bone, channels);
         if needed.iter().any(|dof| !bone.dofs.contains(dof)) {
             bone.order = rotation_order(&needed);
@@ -57,6 +58,30 @@ pub fn with_dofs_for(skeleton: &Skeleton, motion: &Motion) -> Skeleton {
         }
     }
     skeleton
+}
+
+/// Lists each degree of freedom once, and rotations in the order in which they are applied, as this format does; a BVH
+/// lists them the other way round. Limits stay with theirs.
+fn list_rotations_as_applied(bone: &mut Bone) {
+    let axes = bone.order.axes();
+    let place = |dof: &Dof| match dof {
+        Dof::Translate(_) => 0,
+        Dof::Rotate(axis) => 1 + axes.iter().position(|other| other == axis).unwrap_or_default(),
+        Dof::Length => axes.len() + 1,
+    };
+    let rotations = bone.dofs.iter().filter(|dof| matches!(dof, Dof::Rotate(_))).map(place);
+    if rotations.is_sorted_by(|a, b| a < b) {
+        return;
+    }
+    let mut listed: Vec<(Dof, Option<Limit>)> = Vec::new();
+    for (index, dof) in bone.dofs.iter().enumerate() {
+        if listed.iter().all(|(known, _)| known != dof) {
+            listed.push((*dof, bone.limits.get(index).copied()));
+        }
+    }
+    listed.sort_by_key(|(dof, _)| place(dof));
+    bone.limits = listed.iter().filter_map(|(_, limit)| *limit).collect();
+    bone.dofs = listed.into_iter().map(|(dof, _)| dof).collect();
 }
 
 /// Returns translations, rotations in the bone's order and length, as far as any frame moves them. Without angles of the

@@ -2,7 +2,7 @@
 
 use super::AmcBone;
 use crate::number::read_prefix;
-use crate::text::{is_blank, LARGEST};
+use crate::text::{end_of_line, skip_blanks, LARGEST};
 
 /// What a usual frame looks like: the bones of the first frame, in the same order.
 pub(super) struct FrameLayout {
@@ -65,25 +65,4 @@ fn frame_number(source: &[u8]) -> Option<(i64, &[u8])> {
     }
     let number = digits.iter().fold(0, |number, digit| 10 * number + i64::from(digit - b'0'));
     Some((number, end_of_line(rest)?))
-}
-
-/// Takes blanks and one line end, or the end of the file.
-#[inline]
-fn end_of_line(text: &[u8]) -> Option<&[u8]> {
-    match skip_blanks(text) {
-        [b'\r', b'\n', rest @ ..] | [b'\n' | b'\r', rest @ ..] => Some(rest),
-        [] => Some(&[]),
-        _ => None,
-    }
-}
-
-#[inline]
-fn skip_blanks(mut text: &[u8]) -> &[u8] {
-    while let [byte, rest @ ..] = text {
-        if !is_blank(*byte) {
-            break;
-        }
-        text = rest;
-    }
-    text
 }

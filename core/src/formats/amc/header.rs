@@ -3,13 +3,11 @@
 use super::AmcHeader;
 use crate::error::ParseError;
 use crate::formats::AngleUnit;
+use crate::rate::HIGHEST_RATE_HZ;
 use crate::text::{decode, Lines, Words};
 
 /// The comment in which Vicon's programs name the skeleton.
 const HINT: &[u8] = b"#!OML:ASF";
-
-/// Sampling rates beyond this are damage.
-const HIGHEST_RATE_HZ: f64 = 1e6;
 
 /// Reads up to the first line that is neither keyword nor comment.
 pub(super) fn read_header(lines: &mut Lines<'_>) -> Result<AmcHeader, ParseError> {

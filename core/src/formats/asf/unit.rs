@@ -1,10 +1,8 @@
 //! How long the unit of an ASF is: the format does not say, a person's height does.
 
 use super::Units;
+use crate::infer::Reading;
 use crate::skeleton::LengthUnit;
-
-/// Heights of a rest pose that can be a person's, in metres.
-const PERSON_M: std::ops::RangeInclusive<f64> = 1.0..=2.2;
 
 /// The readings, likely ones first: metres per unit, whether values are divided by `length` first, words.
 const READINGS: [(f64, bool, &str); 6] = [
@@ -19,26 +17,23 @@ const READINGS: [(f64, bool, &str); 6] = [
 /// Returns the first reading in which `height` is a person's; the first of all, as a guess, if there is none.
 pub(super) fn infer_unit(units: &Units, height: f64) -> LengthUnit {
     let divisor = units.length.unwrap_or(1.0);
-    let metres_of = |(metres, is_divided, _): &(f64, bool, &str)| if *is_divided { metres / divisor } else { *metres };
-    let is_plausible = |reading: &&(f64, bool, &str)| PERSON_M.contains(&(height * metres_of(reading)));
-    let mut plausible = READINGS.iter().filter(is_plausible);
-    let first = plausible.next();
-    let reading = first.unwrap_or(&READINGS[0]);
-    let metres = metres_of(reading);
-    // Centimetres / 0.01 and metres are the same: only readings that differ make a choice doubtful.
-    let others: Vec<_> =
-        plausible.filter(|other| (metres_of(other) / metres - 1.0).abs() > 1e-9).map(|r| r.2).collect();
-    let name = match reading {
-        (_, true, name) if divisor != 1.0 => format!("{name} / {divisor}"),
-        (_, _, name) => (*name).to_owned(),
-    };
-    let doubt = match (first, others.first()) {
+    let readings = READINGS.map(|(metres, is_divided, name)| {
+        if is_divided && divisor != 1.0 {
+            Reading::new(metres / divisor, format!("{name} / {divisor}"))
+        } else {
+            Reading::new(metres, name)
+        }
+    });
+    let plausible = Reading::plausible(&readings, height);
+    let (reading, other) = plausible.unwrap_or((&readings[0], None));
+    let doubt = match (plausible, other) {
         (None, _) => "; in no known unit is it a person of 1.0 to 2.2 m".to_owned(),
-        (_, Some(other)) => format!("; {other} would be plausible too"),
+        (_, Some(other)) => format!("; {} would be plausible too", other.name),
         _ => String::new(),
     };
-    let reason = format!("{name}: the rest pose is {:.2} m tall{doubt}", height * metres);
-    LengthUnit { metres, reason, is_certain: first.is_some() && others.is_empty() }
+    let metres = reading.metres;
+    let reason = format!("{}: the rest pose is {:.2} m tall{doubt}", reading.name, height * metres);
+    LengthUnit { metres, reason, is_certain: plausible.is_some() && other.is_none() }
 }
 
 #[cfg(test)]

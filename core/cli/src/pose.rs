@@ -1,0 +1,94 @@
+//! `motion-theater pose`: where everything is at one frame.
+
+use glam::DVec3;
+use serde::Serialize;
+
+use crate::arguments::PoseOptions;
+use crate::console::Console;
+use crate::load::{Loaded, SkeletonFile};
+use crate::points::{points, positions};
+use crate::upright::to_z_up;
+use crate::{report, Outcome};
+
+/// The fields of the JSON object; a marker that is not seen has no position.
+#[derive(Debug, Serialize)]
+struct PoseReport {
+    path: String,
+    frame: serde_json::Number,
+    names: Vec<String>,
+    /// In metres, Z up.
+    positions_m: Vec<Option<[f64; 3]>>,
+    /// In the file's own axes and units.
+    positions_file: Vec<Option<[f64; 3]>>,
+}
+
+/// Runs the command.
+pub fn run(options: &PoseOptions, console: &Console) -> Outcome {
+    let skeleton = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
+    let pose = Loaded::read(&options.file, skeleton.as_ref()).and_then(|loaded| pose_at(&loaded, options.frame));
+    Ok(report(
+        console,
+        pose.map(|pose| {
+            if options.json {
+                console.say(&serde_json::to_string(&pose).unwrap_or_default());
+            } else {
+                pose.print(console);
+            }
+        }),
+    ))
+}
+
+fn pose_at(loaded: &Loaded, frame: Option<f64>) -> Result<PoseReport, String> {
+    let first = loaded.clip.first_frame() as f64;
+    let last = first + loaded.frame_count().saturating_sub(1) as f64;
+    let frame = frame.unwrap_or(first);
+    if !(first..=last).contains(&frame) {
+        return Err(match loaded.frame_count() {
+            0 => format!("{}: without motion there is only the rest pose, frame {first}", loaded.path.display()),
+            _ => format!("{}: its frames are {first} to {last}, without {frame}", loaded.path.display()),
+        });
+    }
+    if loaded.frame_count() > 0 {
+        loaded.moving()?;
+    }
+    let skeleton = loaded.skeleton()?;
+    let points = points(&loaded.clip, skeleton);
+    let positions: Vec<Option<DVec3>> =
+        positions(&points, skeleton, loaded.motion.as_ref(), frame).into_iter().map(Some).collect();
+    let names = points.into_iter().map(|point| point.name).collect();
+    let to_metres = to_z_up(skeleton.up) * skeleton.unit.metres;
+    Ok(PoseReport {
+        path: loaded.path.display().to_string(),
+        frame: number(frame),
+        names,
+        positions_m: positions.iter().map(|at| at.map(|at| (to_metres * at).to_array())).collect(),
+        positions_file: positions.iter().map(|at| at.map(|at| at.to_array())).collect(),
+    })
+}
+
+/// A frame as JSON: whole where it is.
+fn number(frame: f64) -> serde_json::Number {
+    let whole = frame as i64;
+    if whole as f64 == frame {
+        whole.into()
+    } else {
+        serde_json::Number::from_f64(frame).unwrap_or_else(|| whole.into())
+    }
+}
+
+impl PoseReport {
+    /// Prints a table: metres, Z up.
+    fn print(&self, console: &Console) {
+        let width = self.names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+        console.say(&format!("{}: frame {}, metres, Z up", self.path, self.frame));
+        for (name, position) in self.names.iter().zip(&self.positions_m) {
+            let text = match position {
+                Some([x, y, z]) => format!("{x:10.4} {y:10.4} {z:10.4}"),
+                None => "not seen".to_owned(),
+            };
+            if !console.say(&format!("{name:width$} {text}")) {
+                break;
+            }
+        }
+    }
+}

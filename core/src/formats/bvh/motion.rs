@@ -1,0 +1,135 @@
+//! [`Bvh`] -> [`Motion`].
+
+use super::name::unique_names;
+use super::skeleton::order;
+use super::{Bvh, BvhMotion, Channel, Joint};
+use crate::infer::infer;
+use crate::motion::{BoneMotion, Motion};
+use crate::rate::rate_of_frame_time;
+use crate::skeleton::Skeleton;
+use glam::{DQuat, DVec3};
+use rayon::prelude::*;
+
+/// The number of the first frame: a BVH has no numbers, and people count from 1.
+const FIRST_FRAME: i64 = 1;
+
+/// How many names a sentence lists.
+const MOST_NAMES: usize = 5;
+
+impl Bvh {
+    /// Returns the motion of the joints; `None` for a hierarchy alone.
+    ///
+    /// Rotations compose in the order of the channels: `Zrotation Xrotation Yrotation` is `Rz * Rx * Ry`. Position channels
+    /// stand in for the components of the offset that they name. Where one comes twice, the last counts. The joint's
+    /// angles are kept where its rotations turn about different axes; those that it does not have are zero.
+    pub fn motion(&self) -> Option<Motion> {
+        let motion = self.motion.as_ref()?;
+        let starts = self.joints.iter().scan(0, |next, joint| {
+            let start = *next;
+            *next += joint.channels.len();
+            Some(start)
+        });
+        let columns: Vec<(&Joint, usize)> = self.joints.iter().zip(starts).collect();
+        let width = self.width();
+        let bones = columns.into_par_iter().map(|(joint, start)| joint.motion(motion, width, start));
+        Some(Motion {
+            bones: bones.collect(),
+            first_frame: FIRST_FRAME,
+            frame_count: motion.frame_count,
+            rate_hz: motion.rate_hz(),
+        })
+    }
+
+    /// Returns the rest pose and the motion; what the format does not say is inferred from both.
+    pub fn skeleton_and_motion(&self) -> (Skeleton, Option<Motion>) {
+        let (mut skeleton, motion) = (self.skeleton_as_written(), self.motion());
+        infer(&skeleton, motion.as_ref()).apply_to(&mut skeleton);
+        (skeleton, motion)
+    }
+
+    /// Returns what is odd in the file and what was done about it, a sentence each.
+    pub fn notices(&self) -> Vec<String> {
+        let mut notices = Vec::new();
+        let (_, renamed) = unique_names(self.joints.iter().map(|joint| joint.name.as_str()));
+        if !renamed.is_empty() {
+            let more = renamed.len().saturating_sub(MOST_NAMES);
+            let and_more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            let names = renamed.get(..MOST_NAMES).unwrap_or(&renamed).join(", ");
+            notices.push(format!(
+                "Joints whose name is missing or not the only one of its kind are called {names}{and_more}"
+            ));
+        }
+        let Some(motion) = &self.motion else {
+            notices.push("The file holds a hierarchy and no motion".to_owned());
+            return notices;
+        };
+        notices.extend(self.faults.sentences(self.width()));
+        notices.extend(motion.rate_notice());
+        notices
+    }
+}
+
+impl BvhMotion {
+    /// Returns the frames per second that the frame time stands for; `None` where there is none above 0.
+    pub fn rate_hz(&self) -> Option<f64> {
+        Some(rate_of_frame_time(self.frame_time_s?)?.hz)
+    }
+
+    fn rate_notice(&self) -> Option<String> {
+        match (self.frame_time_s, self.frame_time_s.and_then(rate_of_frame_time)) {
+            (None, _) => Some("The file does not say its frame time: the rate is not known".to_owned()),
+            (Some(time), None) => Some(format!("A frame time of {time} s is none: the rate is not known")),
+            (_, Some(rate)) => rate.doubt,
+        }
+    }
+}
+
+impl Joint {
+    /// Returns the joint's samples; its values start at column `start` of rows of `width`.
+    fn motion(&self, motion: &BvhMotion, width: usize, start: usize) -> BoneMotion {
+        let axes: Vec<usize> = self.channels.iter().filter_map(|channel| channel.rotation_axis()).collect();
+        let is_euler = (0..3).all(|axis| axes.iter().filter(|a| **a == axis).count() <= 1);
+        let order = order(&self.channels);
+        let room = |is_used: bool| if is_used { motion.frame_count } else { 0 };
+        let (rotates, translates) = (!axes.is_empty(), self.channels.len() > axes.len());
+        let mut samples = BoneMotion {
+            rotations: Vec::with_capacity(room(rotates)),
+            angles: Vec::with_capacity(room(rotates && is_euler)),
+            translations: Vec::with_capacity(room(translates)),
+            stretches: Vec::new(),
+        };
+        let mut previous = DQuat::IDENTITY;
+        for row in motion.values.chunks_exact(width.max(1)) {
+            let values = row.get(start..).unwrap_or_default();
+            let (mut angles, mut position, mut turn) = ([0.0; 3], self.offset, DQuat::IDENTITY);
+            for (channel, value) in self.channels.iter().zip(values) {
+                match channel {
+                    Channel::Position(axis) => position[*axis] = *value,
+                    Channel::Rotation(axis) if is_euler => angles[*axis] = value.to_radians(),
+                    Channel::Rotation(axis) => turn *= DQuat::from_axis_angle(DVec3::AXES[*axis], value.to_radians()),
+                }
+            }
+            if rotates {
+                let rotation = if is_euler { order.quat(angles) } else { turn.normalize() };
+                previous = if rotation.dot(previous) < 0.0 { -rotation } else { rotation };
+                samples.rotations.push(previous);
+            }
+            if rotates && is_euler {
+                samples.angles.push(angles);
+            }
+            if translates {
+                samples.translations.push(DVec3::from(position) - DVec3::from(self.offset));
+            }
+        }
+        samples
+    }
+}
+
+impl Channel {
+    fn rotation_axis(self) -> Option<usize> {
+        match self {
+            Self::Rotation(axis) => Some(axis),
+            Self::Position(_) => None,
+        }
+    }
+}
