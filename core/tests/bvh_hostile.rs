@@ -72,9 +72,11 @@ fn a_chain_of_a_million_joints_is_read_without_recursion() {
         text.push_str("JOINT a\n{\nOFFSET 0 1 0\n");
     }
     text.push_str(&"}\n".repeat(DEPTH));
-    let bvh = use_fully(text.as_bytes()).unwrap();
-    assert_eq!((bvh.joints.len(), bvh.skeleton().height()), (DEPTH, DEPTH as f64 - 1.0));
-    assert_eq!(bvh.skeleton().bones[DEPTH - 1].name, "a.999999");
+    let bvh = Bvh::parse(text.as_bytes()).unwrap();
+    let skeleton = bvh.skeleton();
+    assert_eq!((bvh.joints.len(), skeleton.height()), (DEPTH, DEPTH as f64 - 1.0));
+    assert_eq!(skeleton.bones[DEPTH - 1].name, "a.999999");
+    assert_eq!(Bvh::parse(&bvh.to_bytes()), Ok(bvh));
 }
 
 #[test]
