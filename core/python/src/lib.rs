@@ -14,6 +14,7 @@ mod entries;
 mod errors;
 mod evaluation;
 mod filters;
+mod markers;
 mod motion;
 mod rig;
 mod skeleton;
@@ -25,6 +26,9 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::add_to(module)?;
     module.add_class::<skeleton::PySkeleton>()?;
     module.add_class::<motion::PyMotion>()?;
+    module.add_class::<markers::PyMarkers>()?;
+    module.add_class::<markers::PyEvent>()?;
+    module.add_class::<markers::PyAnalogChannel>()?;
     module.add_class::<clip::PyClip>()?;
     module.add_class::<rig::PyRig>()?;
     module.add_class::<rig::PyBaseChannel>()?;

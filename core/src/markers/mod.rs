@@ -1,6 +1,7 @@
 //! Markers as plain data: named points over frames, with gaps, and what was recorded beside them.
 
 mod analog;
+mod filter;
 mod positions;
 mod quality;
 pub(crate) mod scale;
