@@ -34,14 +34,15 @@ fn read(path: &Path) -> Clip {
     read_path(path, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Whether the bytes are a floating-point number that a VAX cannot express: -0, or one too small.
+/// Whether the bytes are a floating-point number that a VAX cannot express: -0, one too small or too large.
 fn is_no_vax(bytes: [u8; 4], encoding: Encoding) -> bool {
     let value = match encoding.processor {
         Processor::Intel => f32::from_le_bytes(bytes),
         Processor::Mips => f32::from_be_bytes(bytes),
         Processor::Dec => return false,
     };
-    encoding.storage == Storage::Float && f64::from(value).abs() < 2.0_f64.powi(-128)
+    let range = 2.0_f64.powi(-128)..2.0_f64.powi(127);
+    encoding.storage == Storage::Float && !range.contains(&f64::from(value).abs())
 }
 
 /// The bits of everything that the frames of a file hold, as numbers mean it.

@@ -27,24 +27,15 @@ pub(super) struct Trajectories {
 impl C3d {
     /// Decodes the points.
     pub(super) fn trajectories(&self) -> Trajectories {
-        let processor = self.index.processor();
-        let scale = self.layout.scale;
-        let integers = |read: fn([u8; 2]) -> i16| {
-            turn::<8>(self.data(), &self.layout, |b| {
-                let [x, y, z, word] = [read([b[0], b[1]]), read([b[2], b[3]]), read([b[4], b[5]]), read([b[6], b[7]])];
-                ([f32::from(x) * scale, f32::from(y) * scale, f32::from(z) * scale], Some(word))
-            })
-        };
-        match (self.layout.storage, processor) {
-            (Storage::Integer, Processor::Intel | Processor::Dec) => integers(i16::from_le_bytes),
-            (Storage::Integer, Processor::Mips) => integers(i16::from_be_bytes),
-            (Storage::Float, Processor::Intel) => {
-                turn::<16>(self.data(), &self.layout, |b| floats(b, f32::from_le_bytes))
+        let (data, layout) = (self.data(), &self.layout);
+        match (layout.storage, self.index.processor()) {
+            (Storage::Integer, Processor::Intel | Processor::Dec) => {
+                turn(data, layout, integers(layout, i16::from_le_bytes))
             }
-            (Storage::Float, Processor::Dec) => turn::<16>(self.data(), &self.layout, |b| floats(b, vax::to_f32)),
-            (Storage::Float, Processor::Mips) => {
-                turn::<16>(self.data(), &self.layout, |b| floats(b, f32::from_be_bytes))
-            }
+            (Storage::Integer, Processor::Mips) => turn(data, layout, integers(layout, i16::from_be_bytes)),
+            (Storage::Float, Processor::Intel) => turn(data, layout, floats(f32::from_le_bytes)),
+            (Storage::Float, Processor::Dec) => turn(data, layout, floats(vax::to_f32)),
+            (Storage::Float, Processor::Mips) => turn(data, layout, floats(f32::from_be_bytes)),
         }
     }
 
@@ -67,11 +58,24 @@ impl C3d {
     }
 }
 
-/// Reads a point of four floating-point numbers.
-#[inline]
-fn floats(b: &[u8; 16], read: impl Fn([u8; 4]) -> f32) -> ([f32; 3], Option<i16>) {
-    let position = [read([b[0], b[1], b[2], b[3]]), read([b[4], b[5], b[6], b[7]]), read([b[8], b[9], b[10], b[11]])];
-    (position, word_of(read([b[12], b[13], b[14], b[15]])))
+/// A point as it is read: its position, also where it is a gap, and its word, where that is one.
+type Point = ([f32; 3], Option<i16>);
+
+/// Reads points of four integers.
+fn integers(layout: &Layout, read: impl Fn([u8; 2]) -> i16) -> impl Fn(&[u8; 8]) -> Point {
+    let scale = layout.scale;
+    move |b| {
+        let position = [[b[0], b[1]], [b[2], b[3]], [b[4], b[5]]].map(|x| f32::from(read(x)) * scale);
+        (position, Some(read([b[6], b[7]])))
+    }
+}
+
+/// Reads points of four floating-point numbers.
+fn floats(read: impl Fn([u8; 4]) -> f32) -> impl Fn(&[u8; 16]) -> Point {
+    move |b| {
+        let position = [[b[0], b[1], b[2], b[3]], [b[4], b[5], b[6], b[7]], [b[8], b[9], b[10], b[11]]].map(&read);
+        (position, word_of(read([b[12], b[13], b[14], b[15]])))
+    }
 }
 
 /// Returns the 16-bit word that stands in a file as a floating-point number.
@@ -90,35 +94,48 @@ pub(super) fn word_of(number: f32) -> Option<i16> {
 }
 
 /// Takes the points of `N` bytes each out of frames, and turns them.
-fn turn<const N: usize>(
-    data: &[u8],
-    layout: &Layout,
-    read: impl Fn(&[u8; N]) -> ([f32; 3], Option<i16>),
-) -> Trajectories {
+fn turn<const N: usize>(data: &[u8], layout: &Layout, read: impl Fn(&[u8; N]) -> Point) -> Trajectories {
     let (point_count, frame_count) = (layout.point_count, layout.frame_count);
     let mut positions = vec![0.0; 3 * point_count * frame_count];
     let mut words = vec![0; point_count * frame_count];
-    let mut odd_word_count = 0;
+    let (mut odd_word_count, mut is_finite) = (0, true);
     let frame_bytes = layout.frame_bytes().max(1);
     let frames_per_turn = (TURN_BYTES / frame_bytes).clamp(8, 512);
     for (turn, frames) in data.chunks(frame_bytes * frames_per_turn).enumerate() {
         let first = turn * frames_per_turn;
+        let points_of = |frame| <[u8]>::get(frame, ..layout.point_bytes()).unwrap_or_default().as_chunks::<N>().0;
+        let frames: Vec<&[[u8; N]]> = frames.chunks_exact(frame_bytes).map(points_of).collect();
         let trajectories = positions.chunks_exact_mut(3 * frame_count).zip(words.chunks_exact_mut(frame_count));
         for (point, (positions, words)) in trajectories.enumerate() {
-            let positions = positions.as_chunks_mut::<3>().0.iter_mut().skip(first);
-            let places = positions.zip(words.iter_mut().skip(first));
-            for (frame, (position, word)) in frames.chunks_exact(frame_bytes).zip(places) {
-                let Some(bytes) = frame.get(point * N..).and_then(|rest| rest.first_chunk::<N>()) else { continue };
+            let positions = positions.as_chunks_mut::<3>().0.get_mut(first..).unwrap_or_default();
+            let words = words.get_mut(first..).unwrap_or_default();
+            for ((points, position), word) in frames.iter().zip(positions).zip(words) {
+                let Some(bytes) = points.get(point) else { continue };
                 let (xyz, found) = read(bytes);
                 odd_word_count += usize::from(found.is_none());
-                let found = found.unwrap_or(0);
-                let is_gap = found < 0 || !xyz.iter().all(|x| x.is_finite());
-                *position = if is_gap { [f32::NAN; 3] } else { xyz };
-                *word = if is_gap { found | GAP } else { found };
+                *word = found.unwrap_or(0);
+                // All bits set are no number: a gap has them, by its sign, without a branch.
+                let gap = (i32::from(*word) >> 31) as u32;
+                *position = xyz.map(|x| f32::from_bits(x.to_bits() | gap));
+                is_finite &= xyz.iter().all(|x| x.abs() < f32::INFINITY);
             }
         }
     }
+    if !is_finite {
+        mark_damaged(&mut positions, &mut words);
+    }
     Trajectories { positions, words, odd_word_count }
+}
+
+/// Makes gaps of positions that are no place.
+#[cold]
+fn mark_damaged(positions: &mut [f32], words: &mut [i16]) {
+    for (position, word) in positions.as_chunks_mut::<3>().0.iter_mut().zip(words) {
+        if !position.iter().all(|x| x.is_finite()) {
+            *position = [f32::NAN; 3];
+            *word |= GAP;
+        }
+    }
 }
 
 /// Reads all values of rows of bytes.

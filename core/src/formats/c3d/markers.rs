@@ -1,7 +1,7 @@
 //! [`C3d`] -> [`Markers`].
 
 use super::C3d;
-use crate::markers::{scale, Analog, AnalogChannel, Markers, PointKind, Positions, Quality};
+use crate::markers::{scale, Analog, AnalogChannel, Markers, PointKind, Positions, Quality, RawSamples};
 use std::collections::HashMap;
 
 /// The parameters that list the points which are no positions, and what they are.
@@ -64,15 +64,20 @@ impl C3d {
     pub fn analog(&self) -> Analog {
         let layout = self.layout();
         let is_unsigned = self.is_unsigned();
+        let raw = self.raw_samples(is_unsigned);
+        // 16 bits with a sign end at 32,767: where samples go beyond, offsets have no sign either (BTS, with an offset of
+        // -32,768 and samples of 32,768 in a file that says SIGNED).
+        let is_beyond = || matches!(&raw, RawSamples::Float(values) if values.iter().any(|x| *x > f32::from(i16::MAX)));
+        let offsets = self.numbers("ANALOG", "OFFSET");
+        let are_offsets_unsigned = offsets.iter().any(|offset| *offset < 0.0) && (is_unsigned || is_beyond());
         let general = self.parameter("ANALOG", "GEN_SCALE").and_then(|parameter| parameter.number());
         let mut texts = ["LABELS", "DESCRIPTIONS", "UNITS"].map(|name| self.texts("ANALOG", name).into_iter());
-        let mut numbers = ["OFFSET", "SCALE"].map(|name| self.numbers("ANALOG", name).into_iter());
+        let mut numbers = [offsets, self.numbers("ANALOG", "SCALE")].map(Vec::into_iter);
         let channels = (0..layout.channel_count).map(|_| {
             let [name, description, unit] = texts.each_mut().map(|texts| texts.next().unwrap_or_default());
             let [offset, scale] = numbers.each_mut().map(|numbers| numbers.next().filter(|number| number.is_finite()));
             let offset = offset.unwrap_or(0.0);
-            // The offset of unsigned samples is unsigned too, though its type has a sign.
-            let offset = if is_unsigned && offset < 0.0 { offset + 65536.0 } else { offset };
+            let offset = if are_offsets_unsigned && offset < 0.0 { offset + 65536.0 } else { offset };
             AnalogChannel { name, description, unit, offset, scale: scale.unwrap_or(1.0) }
         });
         let stated = self.parameter("ANALOG", "RATE").and_then(super::layout::rate);
@@ -82,7 +87,7 @@ impl C3d {
             samples_per_frame: layout.samples_per_frame,
             rate_hz: stated.or(by_frames),
             general_scale: general.filter(|scale| scale.is_finite()).unwrap_or(1.0),
-            raw: self.raw_samples(is_unsigned),
+            raw,
         }
     }
 
