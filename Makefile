@@ -79,14 +79,14 @@ bench: build/venv/bpy-$(NEWEST)/.module ## Measure the speed, as ratios against 
 	build/venv/bpy-$(NEWEST)/bin/python -m tests.bench
 
 # libFuzzer alone, without the address sanitizer: that works with the stable compiler, and the readers hold no unsafe code.
-FUZZ_TARGETS := asf amc
+FUZZ_TARGETS := asf amc bvh
 FUZZ_SECONDS ?= 600
 fuzz fuzz-smoke: export PATH := $(CURDIR)/build/tools/bin:$(PATH)
 fuzz: build/fuzz/.ready ## Fuzz each reader for ten minutes
 	for target in $(FUZZ_TARGETS); do \
 	    mkdir -p build/fuzz/$$target core/fuzz/corpus/$$target && \
 	    cargo fuzz run --fuzz-dir core/fuzz --sanitizer none $$target build/fuzz/$$target core/fuzz/corpus/$$target -- \
-	        -dict=core/fuzz/acclaim.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
+	        -dict=core/fuzz/words.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
 	done
 
 fuzz-smoke: ## Fuzz each reader for 20 seconds, where there is a C++ compiler

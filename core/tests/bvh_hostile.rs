@@ -53,6 +53,16 @@ fn a_hierarchy_cut_at_any_byte_is_refused_and_a_motion_keeps_its_whole_frames() 
 }
 
 #[test]
+fn files_that_the_fuzzer_starts_from_are_read_and_used() {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus/bvh");
+    let files = std::fs::read_dir(corpus).unwrap().map(|entry| entry.unwrap().path());
+    let mut named: Vec<_> = files.filter(|path| path.extension().is_some()).collect();
+    named.sort();
+    let readable = named.iter().filter(|path| use_fully(&std::fs::read(path).unwrap()).is_ok());
+    assert!(readable.count() >= 6, "{named:?}");
+}
+
+#[test]
 fn a_file_is_known_by_its_content_first() {
     for name in ["small.bvh", "small.BVH", "small.amc", "small.txt", "small"] {
         let clip = read_bytes(SMALL.as_bytes(), Path::new(name), None).unwrap();

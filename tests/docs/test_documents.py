@@ -18,6 +18,7 @@ EXAMPLES = [
     for document in DOCUMENTS
     for number, code in enumerate(re.findall(r"^```python\n(.*?)^```", document.read_text("utf-8"), re.M | re.S))
 ]
+RUNNABLE = [example for example in EXAMPLES if "bpy" not in str(example.values[0])]
 TRANSCRIPTS = [
     pytest.param(document, id=document.name)
     for document in DOCUMENTS
@@ -33,7 +34,13 @@ documents = pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: str(
 
 
 @pytest.mark.parametrize("code", EXAMPLES)
-def test_an_example_runs_and_prints_something(
+def test_an_example_calls_operators_that_there_are(code: str) -> None:
+    compile(code, "example", "exec")
+    assert set(re.findall(r"bpy\.ops\.motion_theater\.(\w+)", code)) <= set(OPERATORS)
+
+
+@pytest.mark.parametrize("code", RUNNABLE)
+def test_an_example_without_blender_runs_and_prints_something(
     code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(ROOT)
