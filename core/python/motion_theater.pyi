@@ -4,9 +4,9 @@ Arrays are C-contiguous float64 unless said otherwise. Quaternions are (w, x, y,
 Euler orders are Blender's: "XYZ" turns about X first, then Y, then Z, about fixed axes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import Literal, final
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +34,9 @@ __all__ = [
     "evaluate",
     "filter_rotations",
     "filter_values",
+    "format_recipe",
     "main",
+    "parse_recipe",
     "read",
     "read_bytes",
 ]
@@ -376,6 +378,13 @@ def evaluate(rig: Rig, base: Sequence[BaseChannel], entries: Sequence[Track | Fi
 
 def digest(arrays: Sequence[NDArray[np.float32]]) -> str:
     """A short hash of float32 arrays, to notice curves that were edited by hand."""
+
+def parse_recipe(text: str, *, name: str | PathLike[str]) -> dict[str, Any]:
+    """Read the text of a stack file, TOML or JSON: `version`, `skeleton`, `rate_hz` and `entries`, whose keys are the
+    names of the add-on's properties. What has its default is left out. Raises ParameterError with the line."""
+
+def format_recipe(recipe: Mapping[str, Any]) -> str:
+    """Return a stack file as TOML. Raises ParameterError where it holds what a stack file cannot."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

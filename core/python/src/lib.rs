@@ -16,6 +16,7 @@ mod evaluation;
 mod filters;
 mod markers;
 mod motion;
+mod recipe;
 mod rig;
 mod skeleton;
 
@@ -43,5 +44,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(filters::filter_values, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_rotations, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
+    module.add_function(wrap_pyfunction!(recipe::parse_recipe, module)?)?;
+    module.add_function(wrap_pyfunction!(recipe::format_recipe, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::digest, module)?)
 }
