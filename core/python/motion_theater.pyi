@@ -116,6 +116,9 @@ class Motion:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
         """The same motion at another rate, low-passed first when going down."""
+    def to_bvh(self, skeleton: Skeleton) -> bytes:
+        """The motion, which must be in the file's axes (as it was read), and its skeleton as a BVH file: the same places
+        and rotations at every frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
@@ -254,6 +257,30 @@ def read(path: str | PathLike[str], *, skeleton: Skeleton | None = None) -> Clip
 
 def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> Clip:
     """Read a file that is already in memory; `name` stands for its path in messages and gives its extension."""
+
+@final
+class Inference:
+    """What a skeleton does not say of itself, each with the reason; the likeliest where it is not certain."""
+
+    unit_m: float
+    """Metres per file unit."""
+    unit_reason: str
+    unit_is_certain: bool
+    up: tuple[float, float, float]
+    """The axis that points up, in file axes."""
+    up_reason: str
+    up_is_certain: bool
+    facing: tuple[float, float, float]
+    """The axis towards which the figure looks in its rest pose, or at the first frame where that does not stand."""
+    facing_reason: str
+    facing_is_certain: bool
+    rate_hz: float | None
+    rate_reason: str
+    rate_is_certain: bool
+
+def infer(skeleton: Skeleton, motion: Motion | None = None) -> Inference:
+    """Work out unit, up axis, facing and rate of a skeleton from its names, its bones and a motion of it in the file's
+    axes (as it was read). Where an answer is certain, nothing speaks against it."""
 
 FilterKind = Literal["MEDIAN", "AVERAGE", "WEIGHTED"]
 
