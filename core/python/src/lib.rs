@@ -14,9 +14,11 @@ mod entries;
 mod errors;
 mod evaluation;
 mod filters;
+mod inference;
 mod motion;
 mod rig;
 mod skeleton;
+mod writing;
 
 /// Motion capture: read it, combine it, filter it.
 #[pymodule]
@@ -36,6 +38,12 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(command_line::main, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
+    module.add_function(wrap_pyfunction!(clip::format_of, module)?)?;
+    module.add_class::<inference::PyAnswer>()?;
+    module.add_class::<inference::PyInference>()?;
+    module.add_function(wrap_pyfunction!(inference::infer, module)?)?;
+    module.add_function(wrap_pyfunction!(writing::to_bvh, module)?)?;
+    module.add_function(wrap_pyfunction!(writing::to_acclaim, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_values, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_rotations, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
