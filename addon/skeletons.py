@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 import motion_theater
 
 from . import rig, sources, stack
@@ -14,6 +16,7 @@ from .logic.messages import UserError, base_name, bones
 if TYPE_CHECKING:
     from bpy.types import Context, Object
 
+STANDING = 0.5  # a rest pose lower than this share of its width lies, or has its arms spread wide
 MOST_BONES = 2048  # ten times what the largest captured skeletons have; Blender's Edit Mode takes minutes for more
 
 
@@ -64,7 +67,10 @@ def import_skeleton(
 def _described(loaded: sources.Loaded, skeleton: motion_theater.Skeleton, count: int, scale: float, up: str) -> str:
     """Return what was imported, in one line: bones, size, axes, and the rate of a motion."""
     height = skeleton.height * skeleton.unit_m * scale
-    parts = [f"Imported {base_name(loaded.clip.path)}: {bones(count)}", f"{height:.2f} m tall", f"{up} up"]
+    extents = np.ptp(np.concatenate((skeleton.heads, skeleton.tails)), axis=0) * skeleton.unit_m * scale
+    widest = float(extents.max(initial=0.0))
+    size = f"{height:.2f} m tall" if height >= STANDING * widest else f"{widest:.2f} m across"
+    parts = [f"Imported {base_name(loaded.clip.path)}: {bones(count)}", size, f"{up} up"]
     if sources.has_own_skeleton(loaded):
         facing = motion_theater.infer(skeleton, loaded.clip.motion).facing
         parts.append(f"{'' if facing.is_certain else 'probably '}facing {axes.nearest_axis(facing.value)}")

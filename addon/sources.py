@@ -87,7 +87,7 @@ def read_file(path: str) -> Loaded:
 
 
 def skeleton_from_text(text: str) -> motion_theater.Skeleton:
-    """Return the skeleton that an armature or a track carries as the text of its file: an ASF, or a BVH without motion."""
+    """Return the skeleton that an armature or a track carries as text: an ASF, or a BVH without motion."""
     key = hashlib.sha1(text.encode("latin-1", "replace")).hexdigest()
     known = _skeletons.get(key)
     if known is not None:

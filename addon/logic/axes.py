@@ -71,6 +71,18 @@ def rotate(q: Floats, v: Floats) -> Floats:
     return turned
 
 
+def from_euler(angles: Floats, order: str) -> Floats:
+    """Return the unit quaternions of (n, 3) Euler angles, indexed x, y, z, which turn in `order` about fixed axes."""
+    turned = np.tile((1.0, 0.0, 0.0, 0.0), (len(angles), 1))
+    for name in order:
+        axis = "XYZ".index(name)
+        turn = np.zeros_like(turned)
+        turn[:, 0] = np.cos(0.5 * angles[:, axis])
+        turn[:, 1 + axis] = np.sin(0.5 * angles[:, axis])
+        turned = multiply(turn, turned)
+    return turned
+
+
 def from_matrices(matrices: Floats) -> Floats:
     """Return the unit quaternions of (n, 3, 3) rotation matrices.
 

@@ -15,7 +15,7 @@ from ..translations import text
 from . import import_file, target
 
 if TYPE_CHECKING:
-    from bpy.types import Context, Event, Timer
+    from bpy.types import Context, Event
 
 EXTENSIONS = (".bvh", ".asf", ".amc", ".c3d", ".csm", ".trc")
 TARGETS = (
@@ -31,7 +31,7 @@ SHOWN_LINES = 20
 
 
 class MOTION_THEATER_OT_import_motion_capture(bpy.types.Operator, ImportHelper):
-    """Import motion capture files of any kind, recognized by their content. Of many files, Esc stops after the current one"""
+    """Import motion capture files of any kind. Of many files, Esc stops after the current one"""
 
     bl_idname = "motion_theater.import_motion_capture"
     bl_label = "Import Motion Capture"
@@ -82,8 +82,6 @@ class MOTION_THEATER_OT_import_motion_capture(bpy.types.Operator, ImportHelper):
         name="Analog Channels", description="Keep analog channels as custom properties with F-curves", default=False
     )
 
-    _batch: capture.Batch
-    _timer: Timer
     _is_asked = False
     _is_announced = False
 

@@ -58,8 +58,9 @@ def build_armature(
 ) -> tuple[Object, dict[str, str]]:
     """Make an armature in the rest pose of a skeleton; return it with its bone names by file name.
 
-    `scale` is scene units per file unit, `to_blender` the rotation from the file's axes. The armature stands at the world origin, in the active collection, selected
-    and active. On an error the caller takes away what was begun: see `scene.unchanged_on_error`.
+    `scale` is scene units per file unit, `to_blender` the rotation from the file's axes. The armature stands at the
+    world origin, in the active collection, selected and active. On an error the caller takes away what was begun: see
+    `scene.unchanged_on_error`.
     """
     layout = _layout(skeleton, scale=scale, to_blender=to_blender, bone_style=bone_style)
     armature = bpy.data.armatures.new(name)

@@ -6,16 +6,18 @@ Euler orders are Blender's: "XYZ" turns about X first, then Y, then Z, about fix
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import Literal, final
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "Answer",
     "BaseChannel",
     "Clip",
     "Evaluation",
     "Filter",
+    "Inference",
     "MisfitError",
     "Motion",
     "MotionTheaterError",
@@ -31,9 +33,13 @@ __all__ = [
     "evaluate",
     "filter_rotations",
     "filter_values",
+    "format_of",
+    "infer",
     "main",
     "read",
     "read_bytes",
+    "to_acclaim",
+    "to_bvh",
 ]
 
 __version__: str
@@ -89,6 +95,23 @@ class Skeleton:
     height: float
     """Extent of the rest pose along `up`, in file units."""
 
+    def __new__(
+        cls,
+        names: Sequence[str],
+        *,
+        parents: Sequence[int],
+        heads: Floats,
+        tails: Floats,
+        axes: Floats | None = None,
+        orders: Sequence[str] | None = None,
+        dofs: Sequence[Sequence[str]] | None = None,
+        up: tuple[float, float, float] = (0.0, 1.0, 0.0),
+        unit_m: float = 0.01,
+        name: str = "",
+    ) -> Skeleton:
+        """A skeleton of one's own. Arrays are as in the attributes of these names; `axes` are the file's where they are
+        not given, `orders` "XYZ"."""
+
 @final
 class Motion:
     """Channels over frames, for the bones of one skeleton or of one host armature."""
@@ -98,6 +121,19 @@ class Motion:
     """The file's own number of the first frame."""
     frames: int
     rate_hz: float | None
+
+    def __new__(
+        cls,
+        skeleton: Skeleton,
+        *,
+        frames: int,
+        rotations: Sequence[Floats | None],
+        translations: Sequence[Floats | None],
+        first_frame: int = 1,
+        rate_hz: float | None = None,
+    ) -> Motion:
+        """A motion of one's own, in the file's axes: by bone (frames, 4) rotations relative to the rest pose and (frames, 3)
+        translations of its start, both in the axes of the parent's global rotation; None where the bone has none."""
 
     def has_rotation(self, bone: int) -> bool: ...
     def has_translation(self, bone: int) -> bool: ...
@@ -126,7 +162,7 @@ class Clip:
     """What one file holds."""
 
     path: str
-    format: Literal["asf", "amc"]
+    format: Literal["asf", "amc", "bvh", "c3d", "csm", "trc"]
     notices: list[str]
     """What is odd in the file, and what was inferred."""
     names: list[str]
@@ -145,12 +181,47 @@ class Clip:
         """The motion of an AMC on its skeleton. Raises MisfitError with the names of the bones that do not fit."""
     def to_bytes(self) -> bytes:
         """The file written anew: the same values, names and order."""
+    def skeleton_to_bytes(self) -> bytes:
+        """The skeleton alone, as a file that gives the same one: an ASF, or a BVH without motion. Empty without one."""
 
 def read(path: str | PathLike[str], *, skeleton: Skeleton | None = None) -> Clip:
     """Read any supported file. Raises ParseError, MisfitError or OSError."""
 
 def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> Clip:
     """Read a file that is already in memory; `name` stands for its path in messages and gives its extension."""
+
+def format_of(path: str | PathLike[str]) -> str | None:
+    """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
+
+@final
+class Answer:
+    """A value that was worked out."""
+
+    value: Any
+    """The likeliest one where it is not certain: a float, a direction (x, y, z), or None."""
+    reason: str
+    is_certain: bool
+
+@final
+class Inference:
+    """What a skeleton and its motion do not say of themselves."""
+
+    unit_m: Answer
+    """Metres per file unit."""
+    up: Answer
+    """The axis that points up, in file axes."""
+    facing: Answer
+    """The axis towards which the figure looks."""
+    rate_hz: Answer
+
+def infer(skeleton: Skeleton, motion: Motion | None = None) -> Inference:
+    """Work out unit, up axis, facing and rate; `motion` is in the file's axes."""
+
+def to_bvh(skeleton: Skeleton, motion: Motion) -> bytes:
+    """A BVH file. A rotation has the channels of its bone, or all three where these are not enough."""
+
+def to_acclaim(skeleton: Skeleton, motion: Motion) -> tuple[bytes, bytes]:
+    """An ASF and an AMC file that belong together. Bones get the degrees of freedom that the motion needs."""
 
 FilterKind = Literal["MEDIAN", "AVERAGE", "WEIGHTED"]
 

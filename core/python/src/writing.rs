@@ -25,7 +25,10 @@ fn check(skeleton: &PySkeleton, motion: &PyMotion) -> PyResult<()> {
 #[pyfunction]
 pub fn to_bvh<'py>(py: Python<'py>, skeleton: &PySkeleton, motion: &PyMotion) -> PyResult<Bound<'py, PyBytes>> {
     check(skeleton, motion)?;
-    let bytes = py.detach(|| Bvh::from_motion(&skeleton.0, motion.source.motion()).to_bytes());
+    let bytes = py.detach(|| {
+        let motion = motion.source.motion();
+        Bvh::from_motion(&with_dofs_for(&skeleton.0, motion), motion).to_bytes()
+    });
     Ok(PyBytes::new(py, &bytes))
 }
 
