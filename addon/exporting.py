@@ -28,6 +28,7 @@ TURNS = ["rz", "rx", "ry"]
 MOVES = ["tx", "ty", "tz"]
 MOST_FRAMES = 1_000_000
 SAME_AXES = 1e-9
+ROUNDING = 1e-5  # of the size of a skeleton: what single precision makes of a place
 
 
 @dataclass(frozen=True)
@@ -141,12 +142,19 @@ def _skeleton(
     turn = axes.multiply(place.turn, axes.to_blender(motion.up, motion.forward))
     is_same = bool(np.abs(turn[1:]).max() < SAME_AXES)
     ratio = place.scale * motion.unit_m
+    ratio = 1.0 if abs(ratio - 1.0) < ROUNDING else ratio  # the stack keeps its unit in single precision
+    size = float(np.ptp(heads, axis=0).max())
     for number, name in enumerate(rest.names):
         at = known.get(file_name.get(name, name))
         if template is None or at is None:
             continue
-        along = np.asarray(template.tails)[at] - np.asarray(template.heads)[at]
-        tails[number] = heads[number] + (along if is_same else axes.rotate(turn, along)) * ratio
+        head, tail = np.asarray(template.heads)[at], np.asarray(template.tails)[at]
+        if not is_same:
+            head, tail = axes.rotate(turn, head), axes.rotate(turn, tail)
+        own_head = head * ratio + place.move
+        if np.abs(own_head - heads[number]).max() <= ROUNDING * size:
+            heads[number] = own_head
+        tails[number] = heads[number] + (tail - head) * ratio
         own = np.asarray(template.axes)[at]
         has_file_axes = bool(np.abs(own[1:]).max() == 0.0)
         if keeps_axes:
@@ -154,6 +162,7 @@ def _skeleton(
         if keeps_axes or (has_file_axes and is_same):
             orders[number] = template.orders[at]
             dofs[number] = list(template.dofs[at]) or dofs[number]
+    _join(heads, tails, rest.parents, ROUNDING * size)
     up = axes.rotate(axes.inverse(np.array(axes.TO_BLENDER[place.up])), np.array((0.0, 0.0, 1.0)))
     return motion_theater.Skeleton(
         [file_name.get(name, name) for name in rest.names],
@@ -167,6 +176,15 @@ def _skeleton(
         unit_m=place.unit_m,
         name=ob.name,
     )
+
+
+def _join(heads: Floats, tails: Floats, parents: Sequence[int], tolerance: float) -> None:
+    """Let bones that begin where their parent ends do so exactly: Blender keeps places in single precision."""
+    for number, parent in enumerate(parents):
+        gap = tails[parent] - heads[number]
+        if parent >= 0 and 0.0 < np.abs(gap).max() <= tolerance:
+            heads[number] += gap
+            tails[number] += gap
 
 
 def _frames(start: float, end: float, step: float) -> Floats:

@@ -9,8 +9,8 @@ from pathlib import Path
 from types import ModuleType
 
 import bpy
-from bpy_extras.io_utils import ExportHelper
 import pytest
+from bpy_extras.io_utils import ExportHelper
 
 from tests.harness import load_addon, module
 from tests.panels.recorder import draw
