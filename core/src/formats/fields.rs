@@ -76,6 +76,6 @@ mod tests {
     fn frames_of_markers_become_markers_of_frames() {
         let frames: Vec<f64> = (0..12).map(f64::from).collect();
         assert_eq!(turned(&frames, 2, 2), [0.0, 1.0, 2.0, 6.0, 7.0, 8.0, 3.0, 4.0, 5.0, 9.0, 10.0, 11.0]);
-        assert_eq!(turned(&[], 0, 5), []);
+        assert_eq!(turned(&[], 0, 5), Vec::<f64>::new());
     }
 }
