@@ -5,8 +5,6 @@ from __future__ import annotations
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 import motion_theater
 
 from . import rig, sources, stack
@@ -16,7 +14,6 @@ from .logic.messages import UserError, base_name, bones
 if TYPE_CHECKING:
     from bpy.types import Context, Object
 
-STANDING = 0.5  # a rest pose lower than this share of its width lies, or has its arms spread wide
 MOST_BONES = 2048  # ten times what the largest captured skeletons have; Blender's Edit Mode takes minutes for more
 
 
@@ -55,7 +52,9 @@ def import_skeleton(
         motion.forward = forward
         motion.bone_style = bone_style
         motion.bone_names = names.encode_pairs(bone_names.items())
-    told = [_described(loaded, skeleton, len(bone_names), scale, chosen_up)]
+    told = [_described(loaded, skeleton, len(bone_names), chosen_up)]
+    if scale != 1.0:
+        told.append(f"Scaled to {skeleton.height * skeleton.unit_m * scale:.2f} m")
     if not skeleton.unit_is_certain:
         told.append(f"Length unit: {skeleton.unit_reason}")
     renamed = [name for name, bone in bone_names.items() if name != bone]
@@ -64,13 +63,9 @@ def import_skeleton(
     return ob, list(dict.fromkeys(told + list(loaded.clip.notices)))
 
 
-def _described(loaded: sources.Loaded, skeleton: motion_theater.Skeleton, count: int, scale: float, up: str) -> str:
-    """Return what was imported, in one line: bones, size, axes, and the rate of a motion."""
-    height = skeleton.height * skeleton.unit_m * scale
-    extents = np.ptp(np.concatenate((skeleton.heads, skeleton.tails)), axis=0) * skeleton.unit_m * scale
-    widest = float(extents.max(initial=0.0))
-    size = f"{height:.2f} m tall" if height >= STANDING * widest else f"{widest:.2f} m across"
-    parts = [f"Imported {base_name(loaded.clip.path)}: {bones(count)}", size, f"{up} up"]
+def _described(loaded: sources.Loaded, skeleton: motion_theater.Skeleton, count: int, up: str) -> str:
+    """Return what was imported, in one line: bones, axes, and the rate of a motion."""
+    parts = [f"Imported {base_name(loaded.clip.path)}: {bones(count)}", f"{up} up"]
     if sources.has_own_skeleton(loaded):
         facing = motion_theater.infer(skeleton, loaded.clip.motion).facing
         parts.append(f"{'' if facing.is_certain else 'probably '}facing {axes.nearest_axis(facing.value)}")

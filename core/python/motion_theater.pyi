@@ -4,7 +4,7 @@ Arrays are C-contiguous float64 unless said otherwise. Quaternions are (w, x, y,
 Euler orders are Blender's: "XYZ" turns about X first, then Y, then Z, about fixed axes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, final
 
@@ -12,12 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "AnalogChannel",
     "Answer",
     "BaseChannel",
     "Clip",
     "Evaluation",
+    "Event",
     "Filter",
     "Inference",
+    "Markers",
     "MisfitError",
     "Motion",
     "MotionTheaterError",
@@ -35,7 +38,9 @@ __all__ = [
     "filter_values",
     "format_of",
     "infer",
+    "format_recipe",
     "main",
+    "parse_recipe",
     "read",
     "read_bytes",
     "to_acclaim",
@@ -158,6 +163,94 @@ class Motion:
         """
 
 @final
+class Event:
+    """Something that happened at a moment."""
+
+    label: str
+    context: str
+    """Which side or kind: "Left"; possibly empty."""
+    subject: str
+    time_s: float
+    """0 is the file's frame 1."""
+    frame: float | None
+    """The file's own number, not always whole; None where the file has no rate."""
+
+@final
+class AnalogChannel:
+    """One signal that was recorded beside the markers."""
+
+    name: str
+    description: str
+    unit: str
+    rate_hz: float | None
+    """As the file says; samples lie `analog_samples_per_frame` to a frame, whatever the rate."""
+    samples: Floats
+    """(samples,) in the channel's unit; a new array each time."""
+
+@final
+class Markers:
+    """Named points over frames, in the file's own axes and units."""
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        positions: Floats,
+        *,
+        rate_hz: float | None = None,
+        first_frame: int = 1,
+        unit_m: float = 1.0,
+        up: tuple[float, float, float] = (0.0, 0.0, 1.0),
+        events: Sequence[tuple[str, float]] = ...,
+    ) -> None:
+        """`positions` is (markers, frames, 3), NaN in gaps; `events` are labels with their time in seconds, 0 being
+        frame 1."""
+    names: list[str]
+    """In file order; they may be empty, or the same twice."""
+    kinds: list[Literal["POSITION", "ANGLE", "FORCE", "MOMENT", "POWER", "SCALAR"]]
+    """Laboratories store computed values beside markers, as three numbers each."""
+    frames: int
+    first_frame: int
+    rate_hz: float | None
+    unit_m: float
+    """Metres per file unit."""
+    unit_reason: str
+    unit_is_certain: bool
+    up: tuple[float, float, float]
+    up_reason: str
+    up_is_certain: bool
+    positions: NDArray[np.float32] | Floats
+    """(markers, frames, 3), NaN in gaps; float32 from C3D, float64 else. A new array each time."""
+    valid: NDArray[np.bool_]
+    """(markers, frames)."""
+    residuals: NDArray[np.float32]
+    """(markers, frames) in file units, 0 where not measured, -1 in gaps; (0, 0) where the format has none."""
+    cameras: NDArray[np.uint8]
+    """(markers, frames) which of the first seven cameras saw the marker, a bit each; (0, 0) where there are none."""
+    events: list[Event]
+    analog: list[AnalogChannel]
+    analog_samples_per_frame: int
+
+    def gaps(self) -> list[tuple[int, int, int]]:
+        """Marker, first frame and frame after the last, counted from 0, of every gap between two samples."""
+    def filled(
+        self, *, how: Literal["LINEAR", "CUBIC", "RIGID"], longest: int, markers: Sequence[str] | None = None
+    ) -> tuple[Markers, list[tuple[int, int, int]]]:
+        """The markers with their gaps of up to `longest` frames filled, and which were. "RIGID" leaves gaps in which
+        fewer than three neighbours that keep their distance were seen."""
+    def filtered(self, *, kind: FilterKind, depth: int, markers: Sequence[str] | None = None) -> Markers:
+        """The markers filtered; no window reaches over a gap, and gaps stay."""
+    def neighbours(self) -> list[tuple[int, int]]:
+        """Pairs of markers near each other whose distance stays nearly constant."""
+    def to_bytes(
+        self,
+        format: Literal["c3d", "csm", "trc"],
+        *,
+        processor: Literal["INTEL", "DEC", "MIPS"] = "INTEL",
+        storage: Literal["INTEGER", "FLOAT"] = "FLOAT",
+    ) -> bytes:
+        """A new file. A CSM is in millimetres and Z up; `processor` and `storage` are for C3D."""
+
+@final
 class Clip:
     """What one file holds."""
 
@@ -166,7 +259,7 @@ class Clip:
     notices: list[str]
     """What is odd in the file, and what was inferred."""
     names: list[str]
-    """Bones in file order."""
+    """Bones or markers in file order."""
     frames: int
     """0 for a file without motion."""
     first_frame: int
@@ -177,10 +270,20 @@ class Clip:
     skeleton_hint: str | None
     """The skeleton file that an AMC names in its comments; unreliable."""
 
+    markers: Markers | None
+    parameters: dict[str, list[float] | list[str]]
+    """Of a C3D, by "GROUP:NAME", flat; force plates and all others. Of two with one name, the first."""
+
     def bind(self, skeleton: Skeleton) -> Motion:
         """The motion of an AMC on its skeleton. Raises MisfitError with the names of the bones that do not fit."""
-    def to_bytes(self) -> bytes:
-        """The file written anew: the same values, names and order."""
+    def to_bytes(
+        self,
+        *,
+        processor: Literal["INTEL", "DEC", "MIPS"] | None = None,
+        storage: Literal["INTEGER", "FLOAT"] | None = None,
+    ) -> bytes:
+        """The file written anew: the same values, names and order. A C3D can be asked for in another encoding, with
+        every parameter; without, it comes back byte for byte."""
     def skeleton_to_bytes(self) -> bytes:
         """The skeleton alone, as a file that gives the same one: an ASF, or a BVH without motion. Empty without one."""
 
@@ -346,6 +449,13 @@ def evaluate(rig: Rig, base: Sequence[BaseChannel], entries: Sequence[Track | Fi
 
 def digest(arrays: Sequence[NDArray[np.float32]]) -> str:
     """A short hash of float32 arrays, to notice curves that were edited by hand."""
+
+def parse_recipe(text: str, *, name: str | PathLike[str]) -> dict[str, Any]:
+    """Read the text of a stack file, TOML or JSON: `version`, `skeleton`, `rate_hz` and `entries`, whose keys are the
+    names of the add-on's properties. What has its default is left out. Raises ParameterError with the line."""
+
+def format_recipe(recipe: Mapping[str, Any]) -> str:
+    """Return a stack file as TOML. Raises ParameterError where it holds what a stack file cannot."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

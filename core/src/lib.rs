@@ -5,6 +5,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`formats`] | bytes <-> what a file says, and from there a [`Skeleton`] and a [`Motion`], or [`Markers`] |
+//! | [`gaps`] | gaps of markers, found and filled; which markers are neighbours |
 //! | [`infer`] | what a file does not say: the unit, which axis is up, where it faces |
 //! | [`number`] | decimal numbers in text, fast and exact |
 //! | [`pose`] | forward kinematics |
@@ -21,6 +22,7 @@ pub mod error;
 pub mod euler;
 pub mod filter;
 pub mod formats;
+pub mod gaps;
 pub mod infer;
 pub mod keys;
 pub mod markers;

@@ -13,6 +13,7 @@ use crate::motion::Motion;
 use crate::skeleton::Skeleton;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// How much of a file is looked at to tell what it is.
 const HEAD_BYTES: u64 = 4096;
@@ -105,7 +106,7 @@ pub struct Clip {
     /// What the file says, where it is a TRC.
     pub trc: Option<Trc>,
     /// The file's markers.
-    pub markers: Option<Markers>,
+    pub markers: Option<Arc<Markers>>,
     /// The file's own skeleton.
     pub skeleton: Option<Skeleton>,
     /// The file's motion, on its own skeleton or the one that was given; an AMC has none without.
@@ -135,7 +136,7 @@ impl Clip {
     fn of_markers(format: Format, (markers, mut notices): (Markers, Vec<String>)) -> Self {
         notices.push(format!("Length unit: {}", markers.unit.reason));
         notices.push(format!("Up axis: {}", markers.up.reason));
-        Self { markers: Some(markers), notices, ..Self::new(format) }
+        Self { markers: Some(Arc::new(markers)), notices, ..Self::new(format) }
     }
 
     /// Returns the file anew: the same values, names and order.
@@ -170,7 +171,7 @@ impl Clip {
     /// Returns how many frames of motion there are.
     pub fn frame_count(&self) -> usize {
         let of_bvh = || self.bvh.as_ref()?.motion.as_ref().map(|motion| motion.frame_count);
-        let of_markers = || self.markers.as_ref().map(Markers::frame_count);
+        let of_markers = || self.markers.as_ref().map(|markers| markers.frame_count());
         self.amc.as_ref().map(|amc| amc.frame_count).or_else(of_bvh).or_else(of_markers).unwrap_or(0)
     }
 

@@ -34,21 +34,23 @@ fn read(path: &Path) -> Clip {
     read_path(path, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Whether the bytes are a floating-point number that a VAX cannot express: -0, or one too small.
+/// Whether the bytes are a floating-point number that a VAX cannot express: -0, one too small or too large.
 fn is_no_vax(bytes: [u8; 4], encoding: Encoding) -> bool {
     let value = match encoding.processor {
         Processor::Intel => f32::from_le_bytes(bytes),
         Processor::Mips => f32::from_be_bytes(bytes),
         Processor::Dec => return false,
     };
-    encoding.storage == Storage::Float && f64::from(value).abs() < 2.0_f64.powi(-128)
+    let range = 2.0_f64.powi(-128)..2.0_f64.powi(127);
+    encoding.storage == Storage::Float && !range.contains(&f64::from(value).abs())
 }
 
 /// The bits of everything that the frames of a file hold, as numbers mean it.
 fn values(c3d: &C3d) -> (Vec<Option<[u32; 3]>>, Vec<Vec<u64>>) {
     let (markers, _) = c3d.markers();
-    let positions = markers.positions.as_f32().unwrap().as_chunks::<3>().0;
-    let positions = positions.iter().map(|at| at[0].is_finite().then_some(at.map(|x| (x + 0.0).to_bits())));
+    let positions = markers.positions.to_f32().unwrap();
+    let positions =
+        positions.as_chunks::<3>().0.iter().map(|at| at[0].is_finite().then_some(at.map(|x| (x + 0.0).to_bits())));
     let channels = 0..markers.analog.channels.len();
     let analog = channels.map(|channel| markers.analog.samples(channel).iter().map(|x| (x + 0.0).to_bits()).collect());
     (positions.collect(), analog.collect())

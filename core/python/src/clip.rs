@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use motion_theater_core::formats::c3d::ParameterType;
 use motion_theater_core::read::{read_bytes as read_from_bytes, read_path, Clip, Format};
-use motion_theater_core::{ReadError, Skeleton};
+use motion_theater_core::{ParameterError, ReadError, Skeleton};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::errors;
+use crate::markers::{encoding, PyMarkers};
 use crate::motion::PyMotion;
 use crate::skeleton::PySkeleton;
 
@@ -20,6 +22,7 @@ pub struct PyClip {
     clip: Clip,
     skeleton: Option<Py<PySkeleton>>,
     motion: Option<Py<PyMotion>>,
+    markers: Option<Py<PyMarkers>>,
 }
 
 /// Read any supported file. Raises `ParseError`, `MisfitError` or `OSError`.
@@ -59,7 +62,8 @@ impl PyClip {
             _ => None,
         };
         let skeleton = own.map(|skeleton| Py::new(py, PySkeleton(skeleton))).transpose()?;
-        Ok(Self { path: path.display().to_string(), names, clip, skeleton, motion })
+        let markers = clip.markers.clone().map(|markers| Py::new(py, PyMarkers(markers))).transpose()?;
+        Ok(Self { path: path.display().to_string(), names, clip, skeleton, motion, markers })
     }
 }
 
@@ -111,6 +115,31 @@ impl PyClip {
     }
 
     #[getter]
+    fn markers(&self, py: Python<'_>) -> Option<Py<PyMarkers>> {
+        self.markers.as_ref().map(|markers| markers.clone_ref(py))
+    }
+
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let parameters = PyDict::new(py);
+        let Some(c3d) = &self.clip.c3d else { return Ok(parameters) };
+        for parameter in c3d.parameters() {
+            let group = c3d.groups().find(|group| group.id == parameter.group);
+            let group = group.map_or_else(|| parameter.group.to_string(), |group| text(group.name));
+            let key = format!("{group}:{}", text(parameter.name));
+            if parameters.contains(&key)? {
+                continue;
+            }
+            if parameter.kind == ParameterType::Text {
+                parameters.set_item(key, parameter.texts())?;
+            } else {
+                parameters.set_item(key, parameter.numbers())?;
+            }
+        }
+        Ok(parameters)
+    }
+
+    #[getter]
     fn skeleton_hint(&self) -> Option<&str> {
         self.clip.amc.as_ref()?.header.skeleton_hint.as_deref()
     }
@@ -121,8 +150,25 @@ impl PyClip {
         Ok(PyMotion::new(motion, given))
     }
 
-    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &self.clip.to_bytes())
+    #[pyo3(signature = (*, processor=None, storage=None))]
+    fn to_bytes<'py>(
+        &self,
+        py: Python<'py>,
+        processor: Option<&str>,
+        storage: Option<&str>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let bytes = match (&self.clip.c3d, processor, storage) {
+            (_, None, None) => py.detach(|| self.clip.to_bytes()),
+            (Some(c3d), processor, storage) => {
+                let encoding = encoding(processor.unwrap_or("INTEL"), storage.unwrap_or("FLOAT"))?;
+                py.detach(|| c3d.encoded(encoding)).map_err(|error| errors::parameter(&error))?
+            }
+            (None, ..) => {
+                let why = "only a C3D has a processor and a storage".to_owned();
+                return Err(errors::parameter(&ParameterError(why)));
+            }
+        };
+        Ok(PyBytes::new(py, &bytes))
     }
 
     fn skeleton_to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
@@ -130,6 +176,12 @@ impl PyClip {
     }
 
     fn __repr__(&self) -> String {
-        format!("<Clip '{}': {} bones, {} frames>", self.path, self.names.len(), self.frames())
+        let what = if self.markers.is_some() { "markers" } else { "bones" };
+        format!("<Clip '{}': {} {what}, {} frames>", self.path, self.names.len(), self.frames())
     }
+}
+
+/// Names in a C3D are ASCII, nearly always.
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
 }

@@ -15,7 +15,9 @@ mod errors;
 mod evaluation;
 mod filters;
 mod inference;
+mod markers;
 mod motion;
+mod recipe;
 mod rig;
 mod skeleton;
 mod writing;
@@ -27,6 +29,9 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::add_to(module)?;
     module.add_class::<skeleton::PySkeleton>()?;
     module.add_class::<motion::PyMotion>()?;
+    module.add_class::<markers::PyMarkers>()?;
+    module.add_class::<markers::PyEvent>()?;
+    module.add_class::<markers::PyAnalogChannel>()?;
     module.add_class::<clip::PyClip>()?;
     module.add_class::<rig::PyRig>()?;
     module.add_class::<rig::PyBaseChannel>()?;
@@ -47,5 +52,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(filters::filter_values, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_rotations, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
+    module.add_function(wrap_pyfunction!(recipe::parse_recipe, module)?)?;
+    module.add_function(wrap_pyfunction!(recipe::format_recipe, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::digest, module)?)
 }

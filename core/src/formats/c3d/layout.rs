@@ -116,17 +116,19 @@ fn long_number(parameter: Parameter<'_>) -> Option<i64> {
     }
 }
 
-/// Rates beyond this are damage.
-const HIGHEST_RATE_HZ: f64 = 1e7;
+/// Rates beyond these are damage.
+const RATES_HZ: std::ops::RangeInclusive<f64> = 1e-3..=1e7;
 
 pub(super) fn rate(parameter: Parameter<'_>) -> Option<f64> {
     usable_rate(parameter.number()? as f32)
 }
 
-/// Returns the decimal number that was meant: 59.94 and not the nearest `f32` to it, 59.939998626708984.
+/// Returns the rate, where it is one: with up to three decimals the number that was meant, 59.94 and not the nearest
+/// `f32` to it, 59.939998626708984.
 fn usable_rate(rate: f32) -> Option<f64> {
-    let meant: f64 = rate.to_string().parse().ok()?;
-    (meant > 0.0 && meant <= HIGHEST_RATE_HZ).then_some(meant)
+    let exact = f64::from(rate);
+    let meant = (exact * 1000.0).round() / 1000.0;
+    RATES_HZ.contains(&exact).then_some(if meant as f32 == rate { meant } else { exact })
 }
 
 /// Compares header, parameters and the size of the file; also returns what the user should know.
