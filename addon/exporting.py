@@ -113,7 +113,7 @@ def _place(ob: Object, current: Scene, request: Request) -> _Place:
     per_unit = current.unit_settings.scale_length / unit_m
     return _Place(
         turn=axes.multiply(into_file, np.array(rotation)),
-        scale=float(np.mean(np.abs(scale))) * per_unit,
+        scale=float(np.mean(np.abs(np.array(scale)))) * per_unit,
         move=axes.rotate(into_file, np.array(location)) * per_unit,
         up=up,
         unit_m=unit_m,
@@ -193,7 +193,7 @@ def _frames(start: float, end: float, step: float) -> Floats:
     count = int(np.floor((end - start) / step + 1e-6)) + 1
     if count > MOST_FRAMES:
         raise UserError(f"{count} frames are more than the {MOST_FRAMES} that are exported")
-    return start + step * np.arange(count)
+    return start + step * np.arange(count, dtype=np.float64)
 
 
 def _notices(ob: Object, samples: sampled.Sampled) -> list[str]:

@@ -116,7 +116,7 @@ class _ExportOptions:
         return {"FINISHED"}
 
 
-class MOTION_THEATER_OT_export_bvh(bpy.types.Operator, _ExportOptions, ExportHelper):
+class MOTION_THEATER_OT_export_bvh(bpy.types.Operator, _ExportOptions, ExportHelper):  # type: ignore[misc]
     """Export the active armature and its motion as a BVH file"""
 
     bl_idname = "motion_theater.export_bvh"
@@ -134,7 +134,7 @@ class MOTION_THEATER_OT_export_bvh(bpy.types.Operator, _ExportOptions, ExportHel
         return [(self.filepath, motion_theater.to_bvh(exported.skeleton, exported.motion))]
 
 
-class MOTION_THEATER_OT_export_acclaim(bpy.types.Operator, _ExportOptions, ExportHelper):
+class MOTION_THEATER_OT_export_acclaim(bpy.types.Operator, _ExportOptions, ExportHelper):  # type: ignore[misc]
     """Export the motion of the active armature as an AMC file, and its skeleton as an ASF file of the same name"""
 
     bl_idname = "motion_theater.export_acclaim"
