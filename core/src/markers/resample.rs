@@ -44,7 +44,7 @@ impl Markers {
         }
         let at: Vec<f64> = (0..new_count as usize).map(|frame| (new_first + frame as f64) * ratio - first).collect();
         let trajectories = (0..self.count()).flat_map(|marker| sampled(&self.positions.trajectory(marker), &at, ratio));
-        let positions = if self.positions.as_f32().is_some() {
+        let positions = if self.positions.as_f64().is_none() {
             Positions::of_f32(trajectories.flat_map(|at| at.as_vec3().to_array()).collect(), at.len())
         } else {
             Positions::of_f64(trajectories.flat_map(|at| at.to_array()).collect(), at.len())
