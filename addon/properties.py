@@ -77,6 +77,18 @@ UP_AXES = (
     ("X", "X", "The X axis of the file points up"),
     ("Y", "Y", "The Y axis of the file points up"),
     ("Z", "Z", "The Z axis of the file points up"),
+    ("-X", "-X", "The X axis of the file points down"),
+    ("-Y", "-Y", "The Y axis of the file points down"),
+    ("-Z", "-Z", "The Z axis of the file points down"),
+)
+FORWARD_AXES = (
+    ("FILE", "As in the File", "Leave the figure turned as it is in the file"),
+    ("X", "X", "The figure looks along the X axis of the file in its rest pose, and comes to face the viewer"),
+    ("Y", "Y", "The figure looks along the Y axis of the file in its rest pose, and comes to face the viewer"),
+    ("Z", "Z", "The figure looks along the Z axis of the file in its rest pose, and comes to face the viewer"),
+    ("-X", "-X", "The figure looks against the X axis of the file in its rest pose, and comes to face the viewer"),
+    ("-Y", "-Y", "The figure looks against the Y axis of the file in its rest pose, and comes to face the viewer"),
+    ("-Z", "-Z", "The figure looks against the Z axis of the file in its rest pose, and comes to face the viewer"),
 )
 BONE_STYLES = (
     ("POINT", "Point to Child", "Let each bone point to its child and key rotations as quaternions"),
@@ -140,7 +152,7 @@ class MotionEntry(PropertyGroup):
     )
     skeleton_text: StringProperty(
         name="Skeleton",
-        description="The ASF of this track, where it is not that of the armature",
+        description="The skeleton of this track, where it is not that of the armature",
         override=OVERRIDABLE,
     )
     all_bones: BoolProperty(
@@ -268,6 +280,12 @@ class MotionStack(PropertyGroup):
     )
     up: EnumProperty(
         name="Up", description="The axis of the file that points up", items=UP_AXES, default="Y", override=OVERRIDABLE
+    )
+    forward: EnumProperty(
+        name="Forward",
+        description="The axis of the file along which the figure looks",
+        items=FORWARD_AXES,
+        override=OVERRIDABLE,
     )
     bone_style: EnumProperty(
         name="Bone Style", description="How the bones are oriented", items=BONE_STYLES, override=OVERRIDABLE

@@ -20,8 +20,8 @@ from .curves import base as base_curves
 from .curves import read
 from .curves.result import Result
 from .curves.write import Wanted
+from .logic import axes, names, plan
 from .logic import keys as key_arrays
-from .logic import names, plan
 from .logic.extent import ASSUMED_RATE_HZ, extent
 from .logic.messages import UserError, edited_by_hand, listing
 
@@ -151,7 +151,7 @@ def _native_rig(motion: MotionStack, rest: rig.Rest, rate_hz: float) -> motion_t
         return rig.native_rig(rest, rate_hz=rate_hz)
     skeleton = sources.skeleton_from_text(motion.skeleton_text)
     matched = sources.matched_bones(motion, skeleton, rest.names)
-    file_axes, file_orders = rig.file_frame(rest, skeleton, matched, motion.up)
+    file_axes, file_orders = rig.file_frame(rest, skeleton, matched, axes.to_blender(motion.up, motion.forward))
     return rig.native_rig(rest, rate_hz=rate_hz, file_axes=file_axes, file_orders=file_orders)
 
 

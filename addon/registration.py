@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 
 from . import preferences, properties
-from .operators import add_track, edits, entries, import_skeleton, sources
+from .operators import add_track, edits, entries, export_motion, import_motion_capture, import_skeleton, sources
 from .operators import filter as filter_operator
 from .panels import combine, entry, files, filters, stack
 
@@ -15,6 +15,8 @@ CLASSES = (
     *preferences.CLASSES,
     *import_skeleton.CLASSES,
     *add_track.CLASSES,
+    *import_motion_capture.CLASSES,
+    *export_motion.CLASSES,
     *filter_operator.CLASSES,
     *entries.CLASSES,
     *edits.CLASSES,
@@ -25,7 +27,10 @@ CLASSES = (
     *filters.CLASSES,
     *files.CLASSES,
 )
-MENUS = ((bpy.types.TOPBAR_MT_file_import, files.draw_import_menu),)
+MENUS = (
+    (bpy.types.TOPBAR_MT_file_import, files.draw_import_menu),
+    (bpy.types.TOPBAR_MT_file_export, files.draw_export_menu),
+)
 
 
 def register() -> None:

@@ -23,7 +23,7 @@ import bpy
 import motion_theater
 
 from . import rig
-from .logic import names, skeleton_search
+from .logic import axes, names, skeleton_search
 from .logic.messages import UserError, base_name, listing, misfit
 
 if TYPE_CHECKING:
@@ -66,6 +66,7 @@ class Loaded:
 
 _clips: Cache[Loaded] = Cache(64)
 _skeletons: Cache[motion_theater.Skeleton] = Cache(32)
+_texts: Cache[str] = Cache(32)
 _bound: Cache[motion_theater.Motion] = Cache(16)
 _motions: Cache[motion_theater.Motion] = Cache(64)
 _existence: dict[str, tuple[float, bool]] = {}
@@ -86,7 +87,7 @@ def read_file(path: str) -> Loaded:
 
 
 def skeleton_from_text(text: str) -> motion_theater.Skeleton:
-    """Return the skeleton that an armature or a track carries as the text of its ASF."""
+    """Return the skeleton that an armature or a track carries as text: an ASF, or a BVH without motion."""
     key = hashlib.sha1(text.encode("latin-1", "replace")).hexdigest()
     known = _skeletons.get(key)
     if known is not None:
@@ -99,9 +100,15 @@ def skeleton_from_text(text: str) -> motion_theater.Skeleton:
 
 
 def text_of(loaded: Loaded) -> str:
-    """Return a skeleton file as text that `skeleton_from_text` reads, byte for byte."""
+    """Return the skeleton of a file, without its motion, as text that `skeleton_from_text` reads, byte for byte."""
     as_skeleton(loaded)
-    return loaded.clip.to_bytes().decode("latin-1")
+    known = _texts.get(loaded.key)
+    return known if known is not None else _texts.keep(loaded.key, loaded.clip.skeleton_to_bytes().decode("latin-1"))
+
+
+def has_own_skeleton(loaded: Loaded) -> bool:
+    """Return whether a file holds a motion together with its skeleton, as a BVH does."""
+    return loaded.clip.motion is not None
 
 
 def load(ob: Object, entry: MotionEntry) -> Loaded:
@@ -142,8 +149,10 @@ def _unpacked(data: str) -> bytes:
     return zlib.decompress(base64.b64decode(data, validate=True))
 
 
-def skeleton_of(ob: Object, entry: MotionEntry) -> tuple[motion_theater.Skeleton, str]:
+def skeleton_of(ob: Object, entry: MotionEntry, loaded: Loaded) -> tuple[motion_theater.Skeleton, str]:
     """Return the skeleton with which a track's file is understood, and its text."""
+    if has_own_skeleton(loaded):
+        return as_skeleton(loaded), text_of(loaded)
     text = entry.skeleton_text or ob.motion_theater.skeleton_text
     if not text:
         raise UserError(f"The skeleton file of “{entry.name}” is not known: add the track anew")
@@ -151,7 +160,9 @@ def skeleton_of(ob: Object, entry: MotionEntry) -> tuple[motion_theater.Skeleton
 
 
 def bind(loaded: Loaded, skeleton_text: str) -> motion_theater.Motion:
-    """Return the motion of a file on the skeleton that a text holds."""
+    """Return the motion of a file on its own skeleton, or else on the one that a text holds."""
+    if loaded.clip.motion is not None:
+        return loaded.clip.motion
     key = (loaded.key, skeleton_text)
     known = _bound.get(key)
     if known is not None:
@@ -177,20 +188,21 @@ def missing_bones(loaded: Loaded, matched: Mapping[str, str]) -> list[str]:
 def rest_motion(ob: Object, entry: MotionEntry, rest: rig.Rest) -> tuple[motion_theater.Motion, Loaded]:
     """Return the motion of a track as channels of the armature's bones, and the clip that it comes from."""
     loaded = load(ob, entry)
-    skeleton, text = skeleton_of(ob, entry)
+    skeleton, text = skeleton_of(ob, entry, loaded)
     motion = ob.motion_theater
     matched = matched_bones(motion, skeleton, rest.names)
     missing = missing_bones(loaded, matched)
     if missing:
         raise UserError(misfit(loaded.clip.path, missing, ob.name))
-    scale = file_scale(motion, entry, rest, skeleton, matched)
-    key = (loaded.key, text, rest.key, motion.up, scale, tuple(matched.items()))
+    scale = file_scale(motion, text, rest, skeleton, matched)
+    up = file_up(motion, text, skeleton)
+    key = (loaded.key, text, rest.key, up, motion.forward, scale, tuple(matched.items()))
     known = _motions.get(key)
     if known is None:
         file_name = {bone: name for name, bone in matched.items()}
         known = bind(loaded, text).in_rest_axes(
             [file_name.get(bone) for bone in rest.names],
-            rig.axes_from_file(rest, motion.up),
+            rig.axes_from_file(rest, axes.to_blender(up, motion.forward)),
             scale,
             orders=[None if mode in {"QUATERNION", "AXIS_ANGLE"} else mode for mode in rest.modes],
         )
@@ -200,21 +212,33 @@ def rest_motion(ob: Object, entry: MotionEntry, rest: rig.Rest) -> tuple[motion_
 
 def file_scale(
     motion: MotionStack,
-    entry: MotionEntry,
+    skeleton_text: str,
     rest: rig.Rest,
     skeleton: motion_theater.Skeleton,
     matched: Mapping[str, str],
 ) -> float:
-    """Return scene units per unit of a track's file.
+    """Return scene units per unit of a track's file, whose skeleton is that text.
 
     An armature that was imported keeps its own scale; a track with a skeleton of its own is scaled by the ratio of the
     two units, and on an armature of other origin sizes are compared.
     """
     if motion.unit_m <= 0.0:
         return rig.scale_from_rest(rest, skeleton, matched)
-    if entry.skeleton_text and motion.skeleton_text:
+    if motion.skeleton_text and skeleton_text != motion.skeleton_text:
         return motion.unit_m * skeleton.unit_m / skeleton_from_text(motion.skeleton_text).unit_m
     return motion.unit_m
+
+
+def file_up(motion: MotionStack, skeleton_text: str, skeleton: motion_theater.Skeleton) -> str:
+    """Return the axis of a track's file that points up.
+
+    The armature's own file is understood as it was when it was imported; so is another that stands like it.
+    """
+    if skeleton_text == motion.skeleton_text:
+        return motion.up
+    own = axes.nearest_axis(skeleton.up)
+    stands_alike = motion.skeleton_text and own == axes.nearest_axis(skeleton_from_text(motion.skeleton_text).up)
+    return motion.up if stands_alike else own
 
 
 def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
@@ -243,8 +267,8 @@ def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
 
 def as_skeleton(loaded: Loaded) -> motion_theater.Skeleton:
     """Return the skeleton of a file that should hold one."""
-    if loaded.clip.skeleton is None or loaded.clip.format != "asf":
-        raise UserError(f"{base_name(loaded.clip.path)} is no skeleton file: choose an .asf file")
+    if loaded.clip.skeleton is None:
+        raise UserError(f"{base_name(loaded.clip.path)} holds no skeleton: choose an .asf or .bvh file")
     return loaded.clip.skeleton
 
 

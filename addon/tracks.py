@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import rig, scene, skeletons, sources, stack
 from .logic import axes, names
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
     from .logic.ranges import Choice
 
+MARKER_FORMATS = frozenset({"c3d", "csm", "trc"})
+
 
 @dataclass(frozen=True)
 class Request:
@@ -36,6 +38,10 @@ class Request:
     bone_collection: str = ""
     rate: str = "RESAMPLE"
     scene_range: Choice = "EXTEND"
+    import_options: Mapping[str, object] = field(default_factory=dict)
+    """How a skeleton is imported where one is: arguments of `skeletons.import_skeleton`."""
+    skeleton_candidates: tuple[str, ...] = ()
+    """Skeleton files that came together with the motion, best first."""
     settings: Mapping[str, object] = field(default_factory=dict)
     """Settings of the entry, by the names of its properties."""
 
@@ -58,8 +64,10 @@ def chosen_bones(ob: Object | None, *, selected_only: bool, bone_collection: str
 def add_track(context: Context, ob: Object | None, request: Request) -> str:
     """Add a motion file as a track; return the message for the user. Run inside `scene.unchanged_on_error`."""
     loaded = sources.read_file(request.path)
+    if loaded.clip.format in MARKER_FORMATS:
+        raise UserError(f"{base_name(request.path)} holds markers, not the motion of bones: import it as it is")
     if not loaded.clip.frames:
-        raise UserError(f"{base_name(request.path)} holds no motion: choose an .amc file")
+        raise UserError(f"{base_name(request.path)} holds no motion: choose an .amc or .bvh file")
     bones = chosen_bones(ob, selected_only=request.selected_only, bone_collection=request.bone_collection)
     ob, skeleton_text, told = _armature_for(context, ob, loaded, request, may_import=bones is None)
     rate_hz = _rate_of(loaded, request)
@@ -81,7 +89,7 @@ def add_track(context: Context, ob: Object | None, request: Request) -> str:
     scene.apply_range(context.scene, request.scene_range, start, end)
     count = len(ob.data.bones) if bones is None else len(bones)
     added = track_added(request.path, count, entry.result_start, entry.result_end)
-    message = sentences([*told, added, *loaded.clip.notices, *names.split(entry.notices)])
+    message = sentences(dict.fromkeys([*told, added, *loaded.clip.notices, *names.split(entry.notices)]))
     stack.of(ob).message = message
     return message
 
@@ -117,16 +125,25 @@ def _armature_for(
                 raise
     else:
         path, reason = _skeleton_file(loaded, request)
-    ob, told = skeletons.import_skeleton(context, path)
+    options: dict[str, Any] = dict(request.import_options)
+    ob, told = skeletons.import_skeleton(context, path, **options)
     taken = f"Took {base_name(path)}, because {reason}" if reason else ""
     return ob, "", [taken, *told]
 
 
 def _skeleton_file(loaded: sources.Loaded, request: Request) -> tuple[str, str]:
     """Return the skeleton file of a motion, and why it was taken; no reason where the user named it."""
-    if request.skeleton:
+    if request.skeleton and not sources.has_own_skeleton(loaded):
         sources.bind(loaded, sources.text_of(sources.read_file(request.skeleton)))
         return request.skeleton, ""
+    if sources.has_own_skeleton(loaded):
+        return request.path, ""
+    for path in request.skeleton_candidates:
+        try:
+            sources.bind(loaded, sources.text_of(sources.read_file(path)))
+        except UserError:
+            continue
+        return path, "it came with the motion"
     _, path, reason = sources.find_skeleton(request.path, loaded)
     return path, reason
 
@@ -142,7 +159,7 @@ def _fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, 
     motion = stack.of(ob)
     told: list[str] = []
     own = motion.skeleton_text
-    if request.skeleton or not own:
+    if request.skeleton or not own or sources.has_own_skeleton(loaded):
         path, reason = _skeleton_file(loaded, request)
         text = sources.text_of(sources.read_file(path))
         if reason:
@@ -157,5 +174,5 @@ def _fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, 
     if text == own:
         return "", told
     if not own:
-        told.append(f"The armature is taken to be {axes.up_axis(skeleton.up)} up in the file and Z up in Blender")
+        told.append(f"The armature is taken to be {axes.nearest_axis(skeleton.up)} up in the file and Z up in Blender")
     return text, told

@@ -21,7 +21,8 @@ def extent(
     """Return the first and last scene frame of a track, without its blends.
 
     A frame of the file lies where it was recorded: at `first + (frame - first) * scene_hz / file_hz`. Cutting keeps
-    that place; a scale frame replaces it.
+    that place; a scale frame replaces it. The clip's own end comes to the nearest whole frame, so that it lasts as long
+    as it was recorded.
     """
     last = first + frames - 1
     start, end = (
@@ -36,5 +37,6 @@ def extent(
         end = math.floor(end + 0.5) if scale[1] is None else scale[1]
     elif on_whole_frames:
         start = math.ceil(start - SAME_FRAME)
-        end = max(math.floor(end + SAME_FRAME), start)
+        is_files_end = cut[1] is None or cut[1] >= last
+        end = max(math.floor(end - SAME_FRAME + 0.5) if is_files_end else math.floor(end + SAME_FRAME), start)
     return float(start), float(end)

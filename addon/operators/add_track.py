@@ -45,7 +45,7 @@ class MOTION_THEATER_OT_add_track(bpy.types.Operator, ImportHelper):
 
     filename_ext = ".amc"
     filepath: import_file.path()
-    filter_glob: StringProperty(default="*.amc", options={"HIDDEN"})
+    filter_glob: StringProperty(default="*.amc;*.bvh", options={"HIDDEN"})
     skeleton: StringProperty(
         name="Skeleton",
         description="The skeleton file of this motion, where it is not that of the armature. Empty looks for it",

@@ -26,9 +26,14 @@ def path() -> object:
     )
 
 
+def preferred(operator: Operator, context: Context) -> None:
+    """Give the options that were left open their preferred values."""
+    preferences.apply(operator, context)
+
+
 def ask(operator: Operator, context: Context) -> set[str]:
     """Ask for what is not known yet, with the preferred options."""
-    preferences.apply(operator, context)
+    preferred(operator, context)
     if operator.properties.is_property_set("filepath"):
         return set(context.window_manager.invoke_props_dialog(operator))
     context.window_manager.fileselect_add(operator)

@@ -1,4 +1,4 @@
-"""Importing an Acclaim skeleton as an armature in its setup pose."""
+"""Importing a skeleton (ASF, BVH) as an armature in its setup pose."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from bpy_extras.io_utils import ImportHelper
 
 from .. import skeletons, stack
 from ..logic.messages import sentences
-from ..properties import BONE_STYLES, UP_AXES
+from ..properties import BONE_STYLES, FORWARD_AXES, UP_AXES
 from . import import_file, outcome
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
-    """Import an Acclaim skeleton as an armature in its setup pose"""
+    """Import the skeleton of an ASF or BVH file as an armature in its setup pose"""
 
     bl_idname = "motion_theater.import_skeleton"
     bl_label = "Import Skeleton"
@@ -26,7 +26,7 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
 
     filename_ext = ".asf"
     filepath: import_file.path()
-    filter_glob: StringProperty(default="*.asf", options={"HIDDEN"})
+    filter_glob: StringProperty(default="*.asf;*.bvh", options={"HIDDEN"})
     scale: FloatProperty(
         name="Scale",
         description="Factor on the size that the file gives, which is brought to meters",
@@ -40,6 +40,9 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
         description="The axis of the file that points up",
         items=(("AUTO", "Automatic", "Take the axis along which the skeleton stands"), *UP_AXES),
         default="AUTO",
+    )
+    forward: EnumProperty(
+        name="Forward", description="The axis of the file along which the figure looks", items=FORWARD_AXES
     )
     bone_style: EnumProperty(name="Bones", description="How the bones are oriented", items=BONE_STYLES)
     limits_as_constraints: BoolProperty(
@@ -58,6 +61,7 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
                 self.filepath,
                 scale=self.scale,
                 up=self.up,
+                forward=self.forward,
                 bone_style=self.bone_style,
                 limits_as_constraints=self.limits_as_constraints,
             )
@@ -73,6 +77,7 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
         layout.use_property_decorate = False
         layout.prop(self, "scale")
         layout.prop(self, "up")
+        layout.prop(self, "forward")
         layout.prop(self, "bone_style")
         limits = layout.column()
         limits.active = self.bone_style == "AXES"  # the limits are numbers about the file's axes

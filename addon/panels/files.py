@@ -1,4 +1,4 @@
-"""Where files come in besides the sidebar: the menu File > Import, and files dropped into the 3D View."""
+"""Where files come in and go out besides the sidebar: the menus of File, and files dropped into the 3D View."""
 
 from __future__ import annotations
 
@@ -11,26 +11,13 @@ if TYPE_CHECKING:
     from bpy.types import Context, Menu
 
 
-class MOTION_THEATER_FH_skeleton(bpy.types.FileHandler):
-    """An Acclaim skeleton dropped into the 3D View is imported"""
+class MOTION_THEATER_FH_motion_capture(bpy.types.FileHandler):
+    """Motion capture files dropped into the 3D View are imported, whatever kinds they are"""
 
-    bl_idname = "MOTION_THEATER_FH_skeleton"
-    bl_label = "Acclaim Skeleton"
-    bl_import_operator = "motion_theater.import_skeleton"
-    bl_file_extensions = ".asf"
-
-    @classmethod
-    def poll_drop(cls, context: Context) -> bool:
-        return poll_file_object_drop(context)
-
-
-class MOTION_THEATER_FH_motion(bpy.types.FileHandler):
-    """An Acclaim motion dropped into the 3D View becomes a track of the active armature"""
-
-    bl_idname = "MOTION_THEATER_FH_motion"
-    bl_label = "Acclaim Motion"
-    bl_import_operator = "motion_theater.add_track"
-    bl_file_extensions = ".amc"
+    bl_idname = "MOTION_THEATER_FH_motion_capture"
+    bl_label = "Motion Capture"
+    bl_import_operator = "motion_theater.import_motion_capture"
+    bl_file_extensions = ".bvh;.asf;.amc;.c3d;.csm;.trc"
 
     @classmethod
     def poll_drop(cls, context: Context) -> bool:
@@ -39,8 +26,13 @@ class MOTION_THEATER_FH_motion(bpy.types.FileHandler):
 
 def draw_import_menu(menu: Menu, context: Context) -> None:
     """Add the entries of File > Import."""
-    menu.layout.operator("motion_theater.import_skeleton", text="Acclaim Skeleton (.asf)")
-    menu.layout.operator("motion_theater.add_track", text="Acclaim Motion (.amc)")
+    menu.layout.operator("motion_theater.import_motion_capture", text="Motion Capture (.bvh/.asf/.amc/.c3d/.csm/.trc)")
 
 
-CLASSES = (MOTION_THEATER_FH_skeleton, MOTION_THEATER_FH_motion)
+def draw_export_menu(menu: Menu, context: Context) -> None:
+    """Add the entries of File > Export."""
+    menu.layout.operator("motion_theater.export_bvh", text="Motion Capture as BVH (.bvh)")
+    menu.layout.operator("motion_theater.export_acclaim", text="Motion Capture as Acclaim (.asf + .amc)")
+
+
+CLASSES = (MOTION_THEATER_FH_motion_capture,)

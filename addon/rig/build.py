@@ -51,17 +51,18 @@ def build_armature(
     skeleton: motion_theater.Skeleton,
     *,
     scale: float,
-    up: str,
+    to_blender: Floats,
     bone_style: str,
     limits_as_constraints: bool,
     name: str,
 ) -> tuple[Object, dict[str, str]]:
     """Make an armature in the rest pose of a skeleton; return it with its bone names by file name.
 
-    `scale` is scene units per file unit. The armature stands at the world origin, in the active collection, selected
-    and active. On an error the caller takes away what was begun: see `scene.unchanged_on_error`.
+    `scale` is scene units per file unit, `to_blender` the rotation from the file's axes. The armature stands at the
+    world origin, in the active collection, selected and active. On an error the caller takes away what was begun: see
+    `scene.unchanged_on_error`.
     """
-    layout = _layout(skeleton, scale=scale, up=up, bone_style=bone_style)
+    layout = _layout(skeleton, scale=scale, to_blender=to_blender, bone_style=bone_style)
     armature = bpy.data.armatures.new(name)
     ob = bpy.data.objects.new(name, armature)
     _leave_mode(context)
@@ -98,8 +99,7 @@ def _link(context: Context, ob: Object) -> None:
         context.scene.collection.objects.link(ob)
 
 
-def _layout(skeleton: motion_theater.Skeleton, *, scale: float, up: str, bone_style: str) -> Layout:
-    to_blender = np.array(axes.TO_BLENDER[up])
+def _layout(skeleton: motion_theater.Skeleton, *, scale: float, to_blender: Floats, bone_style: str) -> Layout:
     heads = axes.rotate(to_blender, np.asarray(skeleton.heads)) * scale
     ends = axes.rotate(to_blender, np.asarray(skeleton.tails)) * scale
     file_axes = axes.multiply(to_blender, np.asarray(skeleton.axes))

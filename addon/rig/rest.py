@@ -56,13 +56,13 @@ def read_rest(ob: Object) -> Rest:
     )
 
 
-def axes_from_file(rest: Rest, up: str) -> Floats:
+def axes_from_file(rest: Rest, to_blender: Floats) -> Floats:
     """Return for each bone the rotation from the file's axes into its rest axes, `inverse(B) * K`."""
-    return np.ascontiguousarray(axes.multiply(axes.inverse(rest.rotations), np.array(axes.TO_BLENDER[up])))
+    return np.ascontiguousarray(axes.multiply(axes.inverse(rest.rotations), to_blender))
 
 
 def file_frame(
-    rest: Rest, skeleton: motion_theater.Skeleton, file_names: Mapping[str, str], up: str
+    rest: Rest, skeleton: motion_theater.Skeleton, file_names: Mapping[str, str], to_blender: Floats
 ) -> tuple[Floats, list[str]]:
     """Return for each bone the rotation from the axes that the file gives it into its rest axes, and the file's order.
 
@@ -70,7 +70,7 @@ def file_frame(
     """
     frame = np.tile(np.array(IDENTITY), (len(rest.names), 1))
     orders = ["XYZ"] * len(rest.names)
-    into_rest = axes_from_file(rest, up)
+    into_rest = axes_from_file(rest, to_blender)
     bone_of = {file_names[name]: number for number, name in enumerate(skeleton.names) if name in file_names}
     for number, name in enumerate(rest.names):
         source = bone_of.get(name)

@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 
 __all__ = [
     "AnalogChannel",
+    "Answer",
     "BaseChannel",
     "Clip",
     "Evaluation",
     "Event",
     "Filter",
+    "Inference",
     "Markers",
     "MisfitError",
     "Motion",
@@ -34,11 +36,15 @@ __all__ = [
     "evaluate",
     "filter_rotations",
     "filter_values",
+    "format_of",
+    "infer",
     "format_recipe",
     "main",
     "parse_recipe",
     "read",
     "read_bytes",
+    "to_acclaim",
+    "to_bvh",
 ]
 
 __version__: str
@@ -94,6 +100,23 @@ class Skeleton:
     height: float
     """Extent of the rest pose along `up`, in file units."""
 
+    def __new__(
+        cls,
+        names: Sequence[str],
+        *,
+        parents: Sequence[int],
+        heads: Floats,
+        tails: Floats,
+        axes: Floats | None = None,
+        orders: Sequence[str] | None = None,
+        dofs: Sequence[Sequence[str]] | None = None,
+        up: tuple[float, float, float] = (0.0, 1.0, 0.0),
+        unit_m: float = 0.01,
+        name: str = "",
+    ) -> Skeleton:
+        """A skeleton of one's own. Arrays are as in the attributes of these names; `axes` are the file's where they are
+        not given, `orders` "XYZ"."""
+
 @final
 class Motion:
     """Channels over frames, for the bones of one skeleton or of one host armature."""
@@ -103,6 +126,19 @@ class Motion:
     """The file's own number of the first frame."""
     frames: int
     rate_hz: float | None
+
+    def __new__(
+        cls,
+        skeleton: Skeleton,
+        *,
+        frames: int,
+        rotations: Sequence[Floats | None],
+        translations: Sequence[Floats | None],
+        first_frame: int = 1,
+        rate_hz: float | None = None,
+    ) -> Motion:
+        """A motion of one's own, in the file's axes: by bone (frames, 4) rotations relative to the rest pose and (frames, 3)
+        translations of its start, both in the axes of the parent's global rotation; None where the bone has none."""
 
     def has_rotation(self, bone: int) -> bool: ...
     def has_translation(self, bone: int) -> bool: ...
@@ -116,9 +152,6 @@ class Motion:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
         """The same motion at another rate, low-passed first when going down."""
-    def to_bvh(self, skeleton: Skeleton) -> bytes:
-        """The motion, which must be in the file's axes (as it was read), and its skeleton as a BVH file: the same places
-        and rotations at every frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
@@ -251,6 +284,8 @@ class Clip:
     ) -> bytes:
         """The file written anew: the same values, names and order. A C3D can be asked for in another encoding, with
         every parameter; without, it comes back byte for byte."""
+    def skeleton_to_bytes(self) -> bytes:
+        """The skeleton alone, as a file that gives the same one: an ASF, or a BVH without motion. Empty without one."""
 
 def read(path: str | PathLike[str], *, skeleton: Skeleton | None = None) -> Clip:
     """Read any supported file. Raises ParseError, MisfitError or OSError."""
@@ -258,29 +293,38 @@ def read(path: str | PathLike[str], *, skeleton: Skeleton | None = None) -> Clip
 def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> Clip:
     """Read a file that is already in memory; `name` stands for its path in messages and gives its extension."""
 
+def format_of(path: str | PathLike[str]) -> str | None:
+    """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
+
+@final
+class Answer:
+    """A value that was worked out."""
+
+    value: Any
+    """The likeliest one where it is not certain: a float, a direction (x, y, z), or None."""
+    reason: str
+    is_certain: bool
+
 @final
 class Inference:
-    """What a skeleton does not say of itself, each with the reason; the likeliest where it is not certain."""
+    """What a skeleton and its motion do not say of themselves."""
 
-    unit_m: float
+    unit_m: Answer
     """Metres per file unit."""
-    unit_reason: str
-    unit_is_certain: bool
-    up: tuple[float, float, float]
+    up: Answer
     """The axis that points up, in file axes."""
-    up_reason: str
-    up_is_certain: bool
-    facing: tuple[float, float, float]
-    """The axis towards which the figure looks in its rest pose, or at the first frame where that does not stand."""
-    facing_reason: str
-    facing_is_certain: bool
-    rate_hz: float | None
-    rate_reason: str
-    rate_is_certain: bool
+    facing: Answer
+    """The axis towards which the figure looks."""
+    rate_hz: Answer
 
 def infer(skeleton: Skeleton, motion: Motion | None = None) -> Inference:
-    """Work out unit, up axis, facing and rate of a skeleton from its names, its bones and a motion of it in the file's
-    axes (as it was read). Where an answer is certain, nothing speaks against it."""
+    """Work out unit, up axis, facing and rate; `motion` is in the file's axes."""
+
+def to_bvh(skeleton: Skeleton, motion: Motion) -> bytes:
+    """A BVH file. A rotation has the channels of its bone, or all three where these are not enough."""
+
+def to_acclaim(skeleton: Skeleton, motion: Motion) -> tuple[bytes, bytes]:
+    """An ASF and an AMC file that belong together. Bones get the degrees of freedom that the motion needs."""
 
 FilterKind = Literal["MEDIAN", "AVERAGE", "WEIGHTED"]
 

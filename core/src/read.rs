@@ -11,8 +11,12 @@ use crate::formats::trc::Trc;
 use crate::markers::Markers;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// How much of a file is looked at to tell what it is.
+const HEAD_BYTES: u64 = 4096;
 
 /// A kind of file that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -56,6 +60,16 @@ impl Format {
     /// Returns the extensions of all formats in words: "asf, amc, bvh".
     pub fn list() -> String {
         FORMATS.map(|(_, extension)| extension).join(", ")
+    }
+
+    /// Returns what a file is by how it begins, or else by its extension; `None` for what has no reader.
+    ///
+    /// # Errors
+    /// Where the disk fails.
+    pub fn of_path(path: &Path) -> std::io::Result<Option<Self>> {
+        let mut head = Vec::new();
+        std::fs::File::open(path)?.take(HEAD_BYTES).read_to_end(&mut head)?;
+        Ok(Self::of(&head, path))
     }
 
     /// Returns what the bytes are by their content, or else by the extension of `name`.
@@ -134,6 +148,12 @@ impl Clip {
         let amc = || self.amc.as_ref().map(Amc::to_bytes);
         let bvh = || self.bvh.as_ref().map(Bvh::to_bytes);
         asf.or_else(amc).or_else(bvh).or_else(c3d).or_else(csm).or_else(trc).unwrap_or_default()
+    }
+
+    /// Returns the file's skeleton alone as a file that gives the same one; nothing where it has none.
+    pub fn skeleton_to_bytes(&self) -> Vec<u8> {
+        let hierarchy = || self.bvh.as_ref().map(|bvh| Bvh::new(bvh.joints.clone(), None).to_bytes());
+        self.asf.as_ref().map(Asf::to_bytes).or_else(hierarchy).unwrap_or_default()
     }
 
     /// Returns the names of the bones or markers, in file order.

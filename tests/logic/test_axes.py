@@ -63,7 +63,7 @@ def test_the_up_axis_becomes_z(up: str, point: tuple[float, ...], expected: tupl
 
 
 @pytest.mark.parametrize(
-    ("up", "name"), [((0, 1, 0), "Y"), ((0.1, 0.2, 0.9), "Z"), ((-1, 0, 0), "X"), ((0, 0.99, 0.1), "Y")]
+    ("up", "name"), [((0, 1, 0), "Y"), ((0.1, 0.2, 0.9), "Z"), ((-1, 0, 0), "-X"), ((0, 0.99, 0.1), "Y")]
 )
 def test_the_nearest_axis_is_named(up: tuple[float, float, float], name: str) -> None:
-    assert axes.up_axis(up) == name
+    assert axes.nearest_axis(up) == name

@@ -145,7 +145,7 @@ def test_a_file_written_anew_has_the_same_values_to_the_last_bit(take: Take, tmp
 @takes
 def test_a_motion_written_as_a_bvh_has_the_same_places(take: Take) -> None:
     _, skeleton, motion = read(take)
-    again = mt.read_bytes(motion.to_bvh(skeleton), name="again.bvh")
+    again = mt.read_bytes(mt.to_bvh(skeleton, motion), name="again.bvh")
     assert again.skeleton is not None
     assert again.motion is not None
     assert (again.names, again.frames, again.rate_hz) == (skeleton.names, motion.frames, motion.rate_hz)
@@ -160,13 +160,13 @@ def test_a_motion_written_as_a_bvh_has_the_same_places(take: Take) -> None:
 def test_what_is_inferred_comes_with_a_reason(take: Take) -> None:
     clip, skeleton, motion = read(take)
     found = mt.infer(skeleton, motion)
-    assert (found.unit_m, found.up) == (skeleton.unit_m, skeleton.up)
-    assert found.unit_is_certain == skeleton.unit_is_certain
+    assert (found.unit_m.value, found.up.value) == (skeleton.unit_m, skeleton.up)
+    assert found.unit_m.is_certain == skeleton.unit_is_certain
     for what, reason in (
-        ("Length unit", found.unit_reason),
-        ("Up axis", found.up_reason),
-        ("Facing", found.facing_reason),
+        ("Length unit", found.unit_m.reason),
+        ("Up axis", found.up.reason),
+        ("Facing", found.facing.reason),
     ):
         assert f"{what}: {reason}" in clip.notices
-    assert (found.rate_hz, found.rate_is_certain) == (motion.rate_hz, True)
-    assert np.dot(found.up, found.facing) == 0
+    assert (found.rate_hz.value, found.rate_hz.is_certain) == (motion.rate_hz, True)
+    assert np.dot(found.up.value, found.facing.value) == 0

@@ -237,12 +237,14 @@ def test_the_filter_buttons_give_kind_depth_and_bones(choice: str, depth: int) -
     assert ("custom_depth" in layout.names("prop")) == (choice == "CUSTOM")
 
 
-def test_the_import_menu_offers_both_kinds_of_file() -> None:
+def test_the_menus_of_file_offer_every_kind_of_file() -> None:
     layout = Recorder()
     files.draw_import_menu(SimpleNamespace(layout=layout), bpy.context)
+    files.draw_export_menu(SimpleNamespace(layout=layout), bpy.context)
     assert [(shown.name, shown.text) for shown in layout.shown] == [
-        ("motion_theater.import_skeleton", "Acclaim Skeleton (.asf)"),
-        ("motion_theater.add_track", "Acclaim Motion (.amc)"),
+        ("motion_theater.import_motion_capture", "Motion Capture (.bvh/.asf/.amc/.c3d/.csm/.trc)"),
+        ("motion_theater.export_bvh", "Motion Capture as BVH (.bvh)"),
+        ("motion_theater.export_acclaim", "Motion Capture as Acclaim (.asf + .amc)"),
     ]
 
 

@@ -10,6 +10,7 @@ from types import ModuleType
 
 import bpy
 import pytest
+from bpy_extras.io_utils import ExportHelper
 
 from tests.harness import load_addon, module
 from tests.panels.recorder import draw
@@ -30,8 +31,9 @@ def handlers() -> int:
 
 
 def menu_entries() -> list[object]:
-    """Return what add-ons put into File > Import, in an order of its own."""
-    return sorted(bpy.types.TOPBAR_MT_file_import._dyn_ui_initialize(), key=id)
+    """Return what add-ons put into File > Import and File > Export, in an order of its own."""
+    menus = (bpy.types.TOPBAR_MT_file_import, bpy.types.TOPBAR_MT_file_export)
+    return sorted((draw for menu in menus for draw in menu._dyn_ui_initialize()), key=id)
 
 
 def test_unregister_mirrors_register() -> None:
@@ -58,10 +60,12 @@ def test_registering_twice_in_turn_leaves_one_of_each() -> None:
 
 def test_every_operator_can_be_undone_and_explains_itself() -> None:
     operators = [cls for cls in registration.CLASSES if issubclass(cls, bpy.types.Operator)]
-    assert len(operators) == 13
+    assert len(operators) == 16
     for cls in operators:
         rna = getattr(bpy.ops.motion_theater, cls.bl_idname.removeprefix("motion_theater.")).get_rna_type()
-        assert {"REGISTER", "UNDO"} <= set(cls.bl_options), cls.bl_idname
+        writes_files_only = issubclass(cls, ExportHelper)
+        assert "REGISTER" in cls.bl_options, cls.bl_idname
+        assert ("UNDO" in cls.bl_options) != writes_files_only, cls.bl_idname
         assert rna.description, f"{cls.bl_idname} has no tooltip"
         assert not rna.description.endswith("."), f"{cls.bl_idname}: Blender adds the full stop itself"
         for prop in rna.properties:

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use motion_theater_core::formats::c3d::ParameterType;
-use motion_theater_core::read::{read_bytes as read_from_bytes, read_path, Clip};
+use motion_theater_core::read::{read_bytes as read_from_bytes, read_path, Clip, Format};
 use motion_theater_core::{ParameterError, ReadError, Skeleton};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -37,6 +37,13 @@ pub fn read(py: Python<'_>, path: PathBuf, skeleton: Option<&PySkeleton>) -> PyR
 #[pyo3(signature = (data, *, name, skeleton=None))]
 pub fn read_bytes(py: Python<'_>, data: &[u8], name: PathBuf, skeleton: Option<&PySkeleton>) -> PyResult<PyClip> {
     PyClip::new(py, &name, skeleton, |skeleton| read_from_bytes(data, &name, skeleton))
+}
+
+/// The format of a file by how it begins, or else by its extension.
+#[pyfunction]
+pub fn format_of(path: PathBuf) -> PyResult<Option<&'static str>> {
+    let format = Format::of_path(&path).map_err(|error| errors::io(&path, &error))?;
+    Ok(format.map(Format::extension))
 }
 
 impl PyClip {
@@ -162,6 +169,10 @@ impl PyClip {
             }
         };
         Ok(PyBytes::new(py, &bytes))
+    }
+
+    fn skeleton_to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.clip.skeleton_to_bytes())
     }
 
     fn __repr__(&self) -> String {

@@ -111,7 +111,7 @@ pub fn parse(path: &str, error: &ParseError) -> PyErr {
 }
 
 /// What the disk said, as the exception that Python itself would raise.
-fn io(path: &Path, error: &std::io::Error) -> PyErr {
+pub fn io(path: &Path, error: &std::io::Error) -> PyErr {
     match error.raw_os_error() {
         Some(code) => {
             let words = error.to_string();

@@ -20,6 +20,7 @@ mod motion;
 mod recipe;
 mod rig;
 mod skeleton;
+mod writing;
 
 /// Motion capture: read it, combine it, filter it.
 #[pymodule]
@@ -32,7 +33,6 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<markers::PyEvent>()?;
     module.add_class::<markers::PyAnalogChannel>()?;
     module.add_class::<clip::PyClip>()?;
-    module.add_class::<inference::PyInference>()?;
     module.add_class::<rig::PyRig>()?;
     module.add_class::<rig::PyBaseChannel>()?;
     module.add_class::<entries::PyTrack>()?;
@@ -43,7 +43,12 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(command_line::main, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
+    module.add_function(wrap_pyfunction!(clip::format_of, module)?)?;
+    module.add_class::<inference::PyAnswer>()?;
+    module.add_class::<inference::PyInference>()?;
     module.add_function(wrap_pyfunction!(inference::infer, module)?)?;
+    module.add_function(wrap_pyfunction!(writing::to_bvh, module)?)?;
+    module.add_function(wrap_pyfunction!(writing::to_acclaim, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_values, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_rotations, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;

@@ -74,6 +74,9 @@ impl PyMarkers {
     }
 }
 
+/// Marker, first frame and last frame of a gap.
+type PyGap = (usize, usize, usize);
+
 #[pymethods]
 impl PyMarkers {
     #[new]
@@ -223,7 +226,7 @@ impl PyMarkers {
         self.0.analog.samples_per_frame
     }
 
-    fn gaps(&self, py: Python<'_>) -> Vec<(usize, usize, usize)> {
+    fn gaps(&self, py: Python<'_>) -> Vec<PyGap> {
         py.detach(|| gaps::find(&self.0.positions, self.0.count())).into_iter().map(as_tuple).collect()
     }
 
@@ -234,7 +237,7 @@ impl PyMarkers {
         how: &str,
         longest: usize,
         markers: Option<Vec<String>>,
-    ) -> PyResult<(Self, Vec<(usize, usize, usize)>)> {
+    ) -> PyResult<(Self, Vec<PyGap>)> {
         let how = match how {
             "LINEAR" => Fill::Linear,
             "CUBIC" => Fill::Cubic,

@@ -3,17 +3,16 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use motion_theater_core::formats::bvh::Bvh;
+use glam::{DQuat, DVec3};
 use motion_theater_core::pose::pose;
 use motion_theater_core::rest_axes::RestAxes;
 use motion_theater_core::stack::Source;
-use motion_theater_core::{BoneMotion, EulerOrder, Skeleton};
+use motion_theater_core::{Bone, BoneMotion, Dof, EulerOrder, Motion, Skeleton};
 use numpy::{PyArray2, PyReadonlyArray2};
-use pyo3::exceptions::PyIndexError;
+use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
 
-use crate::arrays::{one_per_bone, quaternions, read_quaternions, rows, vectors};
+use crate::arrays::{one_per_bone, quaternions, read_quaternions, read_vectors, rows, vectors};
 use crate::errors;
 use crate::skeleton::PySkeleton;
 
@@ -41,8 +40,62 @@ impl PyMotion {
     }
 }
 
+/// Rotations smaller than this (radians) about an axis that a bone does not turn about are rounding.
+const ROUNDING_RAD: f64 = 1e-5;
+
+/// Returns one bone's samples in the file's axes, with angles about its own axes: unwrapped, and exactly zero about
+/// axes that are not among its degrees of freedom.
+fn samples(bone: &Bone, rotations: Vec<DQuat>, translations: Vec<DVec3>) -> BoneMotion {
+    let mut near = [0.0; 3];
+    let angles = rotations.iter().map(|rotation| {
+        near = bone.order.angles_near(bone.axes.conjugate() * *rotation * bone.axes, near);
+        near
+    });
+    let mut angles: Vec<[f64; 3]> = angles.collect();
+    for axis in (0..3).filter(|axis| !bone.dofs.contains(&Dof::Rotate(*axis))) {
+        if angles.iter().all(|angles| angles[axis].abs() < ROUNDING_RAD) {
+            for angles in &mut angles {
+                angles[axis] = 0.0;
+            }
+        }
+    }
+    let mut last = DQuat::IDENTITY;
+    let rotations = rotations.into_iter().map(|rotation| {
+        last = if rotation.dot(last) < 0.0 { -rotation } else { rotation };
+        last
+    });
+    BoneMotion { rotations: rotations.collect(), angles, translations, stretches: Vec::new() }
+}
+
 #[pymethods]
 impl PyMotion {
+    #[new]
+    #[pyo3(signature = (skeleton, *, frames, rotations, translations, first_frame=1, rate_hz=None))]
+    fn from_arrays(
+        skeleton: &PySkeleton,
+        frames: usize,
+        rotations: Vec<Option<PyReadonlyArray2<'_, f64>>>,
+        translations: Vec<Option<PyReadonlyArray2<'_, f64>>>,
+        first_frame: i64,
+        rate_hz: Option<f64>,
+    ) -> PyResult<Self> {
+        let count = skeleton.0.bones.len();
+        one_per_bone("rotations", rotations.len(), count)?;
+        one_per_bone("translations", translations.len(), count)?;
+        let mut bones = Vec::with_capacity(count);
+        for ((bone, rotations), translations) in skeleton.0.bones.iter().zip(rotations).zip(translations) {
+            let turned = rotations.map(|rows| read_quaternions("rotations", &rows)).transpose()?.unwrap_or_default();
+            let moved = translations.map(|rows| read_vectors("translations", &rows)).transpose()?.unwrap_or_default();
+            if [turned.len(), moved.len()].into_iter().any(|rows| rows != 0 && rows != frames) {
+                let text = format!("{}: expected {frames} frames, found {}", bone.name, turned.len().max(moved.len()));
+                return Err(PyValueError::new_err(text));
+            }
+            bones.push(samples(bone, turned.into_iter().map(DQuat::normalize).collect(), moved));
+        }
+        let motion = Motion { bones, first_frame, frame_count: frames, rate_hz };
+        Ok(Self::new(motion, Arc::clone(&skeleton.0)))
+    }
+
     #[getter]
     fn names(&self) -> Vec<String> {
         self.names.clone()
@@ -123,11 +176,6 @@ impl PyMotion {
         let motion = py.detach(|| self.source.motion().in_rest_axes(&self.skeleton, &host, scale));
         let names = names.into_iter().map(Option::unwrap_or_default).collect();
         Ok(Self { source: Arc::new(Source::new(motion)), names, skeleton: Arc::clone(&self.skeleton) })
-    }
-
-    fn to_bvh<'py>(&self, py: Python<'py>, skeleton: &PySkeleton) -> Bound<'py, PyBytes> {
-        let bytes = py.detach(|| Bvh::from_motion(&skeleton.0, self.source.motion()).to_bytes());
-        PyBytes::new(py, &bytes)
     }
 
     fn __repr__(&self) -> String {

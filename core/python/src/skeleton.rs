@@ -2,13 +2,23 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use motion_theater_core::formats::asf::dof_word;
-use motion_theater_core::Skeleton;
-use numpy::PyArray2;
+use motion_theater_core::{Bone, Dof, EulerOrder, LengthUnit, Skeleton};
+use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{quaternions, vectors};
+use crate::arrays::{one_per_bone, quaternions, read_quaternions, read_vectors, vectors};
+use crate::errors;
+
+/// Returns the degree of freedom that a word stands for.
+fn dof(word: &str) -> PyResult<Dof> {
+    let all = (0..3).flat_map(|axis| [Dof::Translate(axis), Dof::Rotate(axis)]).chain([Dof::Length]);
+    all.into_iter()
+        .find(|dof| dof_word(*dof) == word)
+        .ok_or_else(|| PyValueError::new_err(format!("dofs: `{word}` is none of tx, ty, tz, rx, ry, rz, l")))
+}
 
 /// Names, hierarchy and rest pose, in the file's own axes and units. Parents come before children.
 #[pyclass(name = "Skeleton", module = "motion_theater", frozen)]
@@ -16,6 +26,59 @@ pub struct PySkeleton(pub Arc<Skeleton>);
 
 #[pymethods]
 impl PySkeleton {
+    #[new]
+    #[pyo3(signature = (names, *, parents, heads, tails, axes=None, orders=None, dofs=None, up=(0.0, 1.0, 0.0), unit_m=0.01, name=String::new()))]
+    #[allow(clippy::too_many_arguments)] // keyword-only in Python, each named at the call
+    fn new(
+        names: Vec<String>,
+        parents: Vec<i64>,
+        heads: PyReadonlyArray2<'_, f64>,
+        tails: PyReadonlyArray2<'_, f64>,
+        axes: Option<PyReadonlyArray2<'_, f64>>,
+        orders: Option<Vec<String>>,
+        dofs: Option<Vec<Vec<String>>>,
+        up: (f64, f64, f64),
+        unit_m: f64,
+        name: String,
+    ) -> PyResult<Self> {
+        let count = names.len();
+        let (heads, tails) = (read_vectors("heads", &heads)?, read_vectors("tails", &tails)?);
+        let axes = axes.map(|axes| read_quaternions("axes", &axes)).transpose()?;
+        let axes = axes.unwrap_or_else(|| vec![DQuat::IDENTITY; count]);
+        let orders = orders.unwrap_or_else(|| vec!["XYZ".into(); count]);
+        let dofs = dofs.unwrap_or_else(|| vec![Vec::new(); count]);
+        for (what, found) in [
+            ("parents", parents.len()),
+            ("heads", heads.len()),
+            ("tails", tails.len()),
+            ("axes", axes.len()),
+            ("orders", orders.len()),
+            ("dofs", dofs.len()),
+        ] {
+            one_per_bone(what, found, count)?;
+        }
+        let mut bones = Vec::with_capacity(count);
+        for (index, name) in names.into_iter().enumerate() {
+            let parent = usize::try_from(parents[index]).ok();
+            if parent.is_some_and(|parent| parent >= index) {
+                return Err(PyValueError::new_err(format!("parents: `{name}` comes before its parent")));
+            }
+            let order: Result<EulerOrder, _> = orders[index].parse();
+            bones.push(Bone {
+                name,
+                parent,
+                offset: heads[index] - parent.map_or(DVec3::ZERO, |parent| heads[parent]),
+                tail: tails[index] - heads[index],
+                axes: axes[index].normalize(),
+                order: order.map_err(|error| errors::parameter(&error))?,
+                dofs: dofs[index].iter().map(|word| dof(word)).collect::<PyResult<_>>()?,
+                limits: Vec::new(),
+            });
+        }
+        let unit = LengthUnit { metres: unit_m, reason: "as given".to_owned(), is_certain: true };
+        Ok(Self(Arc::new(Skeleton { name, bones, up: up.into(), unit })))
+    }
+
     #[getter]
     fn name(&self) -> &str {
         &self.0.name

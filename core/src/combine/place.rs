@@ -110,7 +110,11 @@ impl Placement {
         }
         if spacing == KeySpacing::Frames {
             placed.start = (placed.start - SAME_FRAME).ceil();
-            placed.end = (placed.end + SAME_FRAME).floor().max(placed.start);
+            // The clip's own end comes to the nearest frame, so that it lasts as long as it was recorded; a cut never
+            // shows what lies behind it.
+            let is_files_end = scale.is_open() && to == last;
+            let end = if is_files_end { (placed.end - SAME_FRAME).round() } else { (placed.end + SAME_FRAME).floor() };
+            placed.end = end.max(placed.start);
         }
         Ok(placed)
     }

@@ -7,7 +7,7 @@ const GAP: DVec3 = DVec3::NAN;
 
 fn positions(trajectories: &[Vec<DVec3>]) -> Positions {
     let frame_count = trajectories.first().map_or(0, Vec::len);
-    Positions::of_f64(trajectories.iter().flatten().flat_map(|at| at.to_array()).collect(), frame_count)
+    Positions::of_f64(trajectories.iter().flatten().flat_map(DVec3::to_array).collect(), frame_count)
 }
 
 /// A body of markers that turns and travels, and after them one that does not belong to it.
@@ -117,7 +117,7 @@ proptest! {
         let how = if is_cubic { Fill::Cubic } else { Fill::Linear };
         let mut filled = positions(std::slice::from_ref(&trajectory));
         let gaps = fill(&mut filled, 1, &[0], how, longest);
-        let expected: Vec<Gap> = find(&positions(&[trajectory.clone()]), 1);
+        let expected: Vec<Gap> = find(&positions(std::slice::from_ref(&trajectory)), 1);
         let expected: Vec<Gap> = expected.into_iter().filter(|gap| gap.frames.len() <= longest).collect();
         prop_assert_eq!(&gaps, &expected);
         for (frame, at) in trajectory.iter().enumerate() {

@@ -148,8 +148,7 @@ pub(super) fn is_place(position: &[f32; 3]) -> bool {
 /// Whether a floating-point word marks a gap, as [`word_of`] has it.
 #[inline]
 pub(super) fn is_gap(number: f32) -> bool {
-    // Without branches: this decides on every sample.
-    (number < 0.0) | ((number >= 32768.0) & (number < 65536.0))
+    number < 0.0 || (32768.0..65536.0).contains(&number)
 }
 
 /// The same values, however they are stored.

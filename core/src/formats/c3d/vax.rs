@@ -91,6 +91,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::approx_constant)] // the manual's example is pi to six digits, no more
     fn numbers_of_the_manual_are_read_and_written() {
         let table: [([u8; 4], f32); 6] = [
             ([0x00, 0x00, 0x00, 0x00], 0.0),
