@@ -66,8 +66,8 @@ def sampling(*, samples: int, first: float, step: float, on_whole_frames: bool) 
 
     Keys on whole frames lie within the recording; a recording that is shorter than a frame has its first sample.
     """
-    if not on_whole_frames or step == 1.0 and first == int(first):
-        return Sampling(first + np.arange(samples) * step, None, None)
+    if not on_whole_frames or (step == 1.0 and first == int(first)):
+        return Sampling(first + np.arange(samples, dtype=np.float64) * step, None, None)
     last = first + (samples - 1) * step
     frames = np.arange(np.ceil(first - SAME_SAMPLE * step), np.floor(last + SAME_SAMPLE * step) + 1.0) + 0.0  # no -0
     if not len(frames):

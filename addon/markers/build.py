@@ -47,15 +47,15 @@ def build(context: Context, name: str, names: Sequence[str], places: NDArray) ->
     finally:
         bpy.ops.object.mode_set(mode="OBJECT")
     shape = _shape()
-    for bone in ob.pose.bones:
-        bone.custom_shape = shape
-        bone.rotation_mode = "XYZ"
+    for posed in ob.pose.bones:
+        posed.custom_shape = shape
+        posed.rotation_mode = "XYZ"
     return ob, bones
 
 
 def _shape() -> Object:
     """Return the octahedron that stands for a marker; one for all sets of a file. It is in no scene."""
-    known = bpy.data.objects.get(SHAPE_NAME)
+    known: Object | None = bpy.data.objects.get(SHAPE_NAME)
     if known is not None and known.type == "MESH" and known.library is None:
         return known
     mesh = bpy.data.meshes.new(SHAPE_NAME)

@@ -45,8 +45,8 @@ def fill_gaps(ob: Object, *, how: FillKind, longest: int, selected_only: bool) -
     """
     names = chosen(ob, selected_only=selected_only)
     bones, recorded, markers = current(ob)
-    numbers = {bones.index(name) for name in names}
-    there = sum(marker in numbers for marker, _, _ in markers.gaps())
+    wanted = set(names)
+    there = sum(bones[marker] in wanted for marker, _, _ in markers.gaps())
     if not there:
         return "There are no gaps between samples"
     filled, gaps = markers.filled(how=how, longest=longest, markers=names)
@@ -64,16 +64,13 @@ def filter_markers(ob: Object, *, kind: motion_theater.FilterKind, depth: int, s
     names = chosen(ob, selected_only=selected_only)
     bones, recorded, markers = current(ob)
     filtered = markers.filtered(kind=kind, depth=depth, markers=names)
-    numbers = {number: name for number, name in enumerate(bones)}
     wanted = set(names)
-    _write(recorded, bones, filtered, {number for number, name in numbers.items() if name in wanted})
+    _write(recorded, bones, filtered, {number for number, name in enumerate(bones) if name in wanted})
     count = "1 marker" if len(names) == 1 else f"{len(names)} markers"
     return f"Filtered {count}: {kind.lower()}, depth {depth}"
 
 
-def _write(
-    recorded: keys.Recorded, bones: Sequence[str], markers: motion_theater.Markers, changed: set[int]
-) -> None:
+def _write(recorded: keys.Recorded, bones: Sequence[str], markers: motion_theater.Markers, changed: set[int]) -> None:
     flags = np.zeros(len(bones), np.bool_)
     flags[list(changed)] = True
     keys.write_back(recorded, bones, markers.positions.astype(np.float64, copy=False), flags)

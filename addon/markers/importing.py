@@ -118,9 +118,7 @@ def _make(
     from_axis = trajectories.UPRIGHT[up]
     places = trajectories.rest_places(positions, valid)
     places = np.stack([places[:, axis] * (sign * unit) for axis, sign in from_axis], axis=1)
-    ob, bones = build.build(
-        context, PurePath(base_name(clip.path)).stem, [recorded.names[at] for at in chosen], places
-    )
+    ob, bones = build.build(context, PurePath(base_name(clip.path)).stem, [recorded.names[at] for at in chosen], places)
     # Bones keep 32 bits of their rest place; the curves make up for what was lost.
     places = np.array([ob.data.bones[bone].head_local for bone in bones], np.float64)
     action = bpy.data.actions.new(ob.name)

@@ -144,13 +144,8 @@ def _seen(scale: FCurve | None, frames: NDArray[np.float64]) -> Flags:
 
 def write_back(recorded: Recorded, bones: Sequence[str], positions: NDArray[np.float64], changed: Flags) -> None:
     """Write the trajectories that changed."""
-    for number in np.flatnonzero(changed):
+    for number in np.flatnonzero(changed).tolist():
         location = positions[number] - recorded.places[number]
-        write_trajectory(
-            recorded.bag,
-            recorded.curves,
-            bones[number],
-            recorded.frames,
-            lambda component, location=location: location[:, component],
-            ~np.isnan(location[:, 0]),
-        )
+        seen = ~np.isnan(location[:, 0])
+        axes = location.T
+        write_trajectory(recorded.bag, recorded.curves, bones[number], recorded.frames, axes.__getitem__, seen)

@@ -21,6 +21,8 @@ UP_AXES = (
     ("-Y", "-Y", "The Y axis of the file points down"),
     ("-Z", "-Z", "The Z axis of the file points down"),
 )
+GROUPS = (("scale", "up"), ("rate", "rate_hz", "scene_range"), ("with_lines", "with_events", "with_analog"))
+"""What stands together in the dialog."""
 
 
 class MOTION_THEATER_OT_import_markers(bpy.types.Operator, ImportHelper):
@@ -94,7 +96,7 @@ class MOTION_THEATER_OT_import_markers(bpy.types.Operator, ImportHelper):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
-        for names in (("scale", "up"), ("rate", "rate_hz", "scene_range"), ("with_lines", "with_events", "with_analog")):
+        for names in GROUPS:
             column = layout.column(align=True)
             for name in names:
                 column.prop(self, name)

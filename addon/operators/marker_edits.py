@@ -30,8 +30,6 @@ FILLS = (
 class OnMarkerSet:
     """What all these operators share: they act on the marker set that the sidebar shows."""
 
-    bl_options = {"REGISTER", "UNDO"}
-
     @classmethod
     def poll(cls, context: Context) -> bool:
         ob = markers.set_of(context)
@@ -55,6 +53,7 @@ class MOTION_THEATER_OT_fill_gaps(OnMarkerSet, bpy.types.Operator):
 
     bl_idname = "motion_theater.fill_gaps"
     bl_label = "Fill Gaps"
+    bl_options = {"REGISTER", "UNDO"}
 
     how: EnumProperty(name="Fill", description="How gaps are filled", items=FILLS)
     longest: IntProperty(
@@ -78,6 +77,7 @@ class MOTION_THEATER_OT_filter_markers(OnMarkerSet, bpy.types.Operator):
 
     bl_idname = "motion_theater.filter_markers"
     bl_label = "Filter Markers"
+    bl_options = {"REGISTER", "UNDO"}
 
     kind: EnumProperty(name="Filter", description="The kind of filter", items=properties.FILTER_KINDS)
     depth: IntProperty(
@@ -105,6 +105,7 @@ class MOTION_THEATER_OT_marker_lines(OnMarkerSet, bpy.types.Operator):
 
     bl_idname = "motion_theater.marker_lines"
     bl_label = "Draw Lines"
+    bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context: Context) -> set[str]:
         def draw_lines(ob: Object) -> str:
@@ -120,6 +121,7 @@ class MOTION_THEATER_OT_marker_events(OnMarkerSet, bpy.types.Operator):
 
     bl_idname = "motion_theater.marker_events"
     bl_label = "Add Events"
+    bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context: Context) -> set[str]:
         return self.carry_out(context, lambda ob: events.add(context.scene, ob, _recorded(ob)))
@@ -130,6 +132,7 @@ class MOTION_THEATER_OT_marker_analog(OnMarkerSet, bpy.types.Operator):
 
     bl_idname = "motion_theater.marker_analog"
     bl_label = "Add Analog Channels"
+    bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context: Context) -> set[str]:
         return self.carry_out(context, lambda ob: analog.add(ob, _recorded(ob)))
