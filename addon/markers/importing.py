@@ -114,7 +114,8 @@ def _make(
     positions, valid = recorded.positions, recorded.valid
     if len(chosen) < len(positions):
         positions, valid = positions[chosen], valid[chosen]
-    valid &= np.isfinite(positions).all(axis=2)
+    if np.isinf(positions).any():  # a damaged file; Blender would draw nothing at all
+        valid &= np.isfinite(positions).all(axis=2)
     from_axis = trajectories.UPRIGHT[up]
     places = trajectories.rest_places(positions, valid)
     places = np.stack([places[:, axis] * (sign * unit) for axis, sign in from_axis], axis=1)
