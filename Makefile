@@ -14,7 +14,7 @@ STEP_SECONDS ?= 900
 LIMIT := $(if $(shell command -v timeout),timeout --kill-after=30 $(STEP_SECONDS))
 
 TOOLS := build/venv/tools/bin
-RUST := $(shell find core/src core/python/src -name '*.rs') Cargo.toml Cargo.lock core/Cargo.toml \
+RUST := $(shell find core/src core/cli/src core/python/src -name '*.rs') Cargo.toml Cargo.lock core/Cargo.toml core/cli/Cargo.toml \
     $(wildcard core/python/Cargo.toml core/python/pyproject.toml core/python/*.pyi)
 ADDON := $(shell find addon -type f -not -path '*/__pycache__/*') LICENSE README.md .ci/package.py .ci/notices.py
 
@@ -35,7 +35,7 @@ demo: build/venv/bpy-$(NEWEST)/.module ## Run the tutorial: out/ gets a .blend, 
 test: test-rust test-python test-blender test-install fuzz-smoke ## Run every test that needs no window
 
 test-rust: ## Test the core
-	$(LIMIT) cargo test --locked --package motion-theater-core
+	$(LIMIT) cargo test --locked --package motion-theater-core --package motion-theater-cli
 
 # Folders of tests that need no Blender.
 PURE := tests/native tests/logic tests/testdata tests/demo tests/docs
@@ -79,14 +79,14 @@ bench: build/venv/bpy-$(NEWEST)/.module ## Measure the speed, as ratios against 
 	build/venv/bpy-$(NEWEST)/bin/python -m tests.bench
 
 # libFuzzer alone, without the address sanitizer: that works with the stable compiler, and the readers hold no unsafe code.
-FUZZ_TARGETS := asf amc
+FUZZ_TARGETS := asf amc bvh
 FUZZ_SECONDS ?= 600
 fuzz fuzz-smoke: export PATH := $(CURDIR)/build/tools/bin:$(PATH)
 fuzz: build/fuzz/.ready ## Fuzz each reader for ten minutes
 	for target in $(FUZZ_TARGETS); do \
 	    mkdir -p build/fuzz/$$target core/fuzz/corpus/$$target && \
 	    cargo fuzz run --fuzz-dir core/fuzz --sanitizer none $$target build/fuzz/$$target core/fuzz/corpus/$$target -- \
-	        -dict=core/fuzz/acclaim.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
+	        -dict=core/fuzz/words.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
 	done
 
 fuzz-smoke: ## Fuzz each reader for 20 seconds, where there is a C++ compiler

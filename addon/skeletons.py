@@ -48,8 +48,9 @@ def import_skeleton(
         motion.up = chosen_up
         motion.bone_style = bone_style
         motion.bone_names = names.encode_pairs(bone_names.items())
-    height = skeleton.height * skeleton.unit_m * scale
-    told = [f"Imported {base_name(path)}: {bones(len(bone_names))}, {height:.2f} m tall, {chosen_up} up"]
+    told = [f"Imported {base_name(path)}: {bones(len(bone_names))}, {chosen_up} up"]
+    if scale != 1.0:
+        told.append(f"Scaled to {skeleton.height * skeleton.unit_m * scale:.2f} m")
     if not skeleton.unit_is_certain:
         told.append(f"Length unit: {skeleton.unit_reason}")
     renamed = [name for name, bone in bone_names.items() if name != bone]

@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 
 from ..logic.keys import FIELDS
+from . import memory
 
 if TYPE_CHECKING:
     from bpy.types import FCurve
@@ -52,11 +53,10 @@ def of_bone(curves: Index, bone: str) -> list[FCurve | None]:
 
 def coordinates(curve: FCurve | None) -> NDArray[np.float32]:
     """Return frame and value of all keys by turns; nothing where there is no curve."""
-    count = len(curve.keyframe_points) if curve is not None else 0
-    values = np.empty(2 * count, np.float32)
-    if count:
-        curve.keyframe_points.foreach_get("co", values)
-    return values
+    if curve is None:
+        return np.empty(0, np.float32)
+    seen = memory.coordinates(curve.keyframe_points)
+    return field(curve, "co") if seen is None else seen
 
 
 def field(curve: FCurve, name: str) -> Array:

@@ -1,16 +1,18 @@
-//! How fast an AMC is read, against the physical limit of reading its numbers alone.
+//! How fast an AMC or a BVH is read, against the physical limit of reading its numbers alone.
 //!
-//! `cargo bench -p motion-theater-core --bench read -- FILE.amc FILE.asf`; without files, the first of the usual ones
-//! that is there. Every figure is the median of runs that take turns in one process; the best run stands beside it, for on a machine that
-//! is busy otherwise the median tells more about the rest of it.
+//! `cargo bench -p motion-theater-core --bench read -- FILE.amc FILE.asf`, or `-- FILE.bvh`; without files, the first of
+//! the usual pairs that is there. Every figure is the median of runs that take turns in one process; the best run stands
+//! beside it, for on a machine that is busy otherwise the median tells more about the rest of it.
 //!
 //! - *numbers*: the limit. The same numbers read with the same parser from a text that holds nothing else, into room that
 //!   is there already.
-//! - *amc*: the file's bytes, with names, frames and checks, into an [`Amc`] made anew each time.
+//! - *amc*, *bvh*: the file's bytes, with names, frames and checks, into an [`Amc`] or [`Bvh`] made anew each time, on one
+//!   thread.
+//! - *threads*: a BVH on two.
 //! - *motion*: from there to quaternions in the file's axes, on all threads.
-//! - *disk*: from the path to the `Amc`.
+//! - *disk*: from the path to what the file says, on all threads.
 
-use motion_theater_core::formats::{amc::Amc, asf::Asf};
+use motion_theater_core::formats::{amc::Amc, asf::Asf, bvh::Bvh};
 use motion_theater_core::number::read_prefix;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -27,41 +29,66 @@ const USUAL_FILES: [(&str, &str); 2] = [
 fn main() {
     let files: Vec<PathBuf> =
         std::env::args().skip(1).filter(|word| !word.starts_with("--")).map(PathBuf::from).collect();
-    let Some((motion_file, skeleton_file)) = choose(&files) else {
-        println!("Nothing to measure: name a motion (.amc) and, for its conversion, a skeleton (.asf)");
-        return;
-    };
-    let source = std::fs::read(&motion_file).expect("the motion can be read");
+    match choose(&files) {
+        Some((file, _)) if file.extension().is_some_and(|extension| extension == "bvh") => measure_bvh(&file),
+        Some((file, skeleton)) => measure_amc(&file, skeleton.as_deref()),
+        None => {
+            println!("Nothing to measure: name a BVH, or a motion (.amc) and, for its conversion, a skeleton (.asf)")
+        }
+    }
+}
+
+fn measure_amc(motion_file: &Path, skeleton_file: Option<&Path>) {
+    let source = std::fs::read(motion_file).expect("the motion can be read");
     let amc = Amc::parse(&source).expect("the motion is an AMC");
-    let numbers = numbers_alone(&source);
+    let numbers = numbers_of_amc(&source);
     let mut room = Vec::with_capacity(amc.values.len());
     println!("{}: {} bytes, {} values", motion_file.display(), source.len(), amc.values.len());
 
     // By turns, so that whatever else the machine does meanwhile slows all of them down alike.
     let [limit, parse, disk] = measure([
-        &mut || {
-            room.clear();
-            read_numbers(&numbers, &mut room);
-        },
+        &mut || read_numbers(&numbers, &mut room),
         &mut || drop(black_box(Amc::parse(black_box(&source)).ok())),
-        &mut || drop(black_box(std::fs::read(&motion_file).map(|source| Amc::parse(&source)).ok())),
+        &mut || drop(black_box(std::fs::read(motion_file).map(|source| Amc::parse(&source)).ok())),
     ]);
     assert_eq!(room, amc.values, "both read the same numbers");
-    let row = |name: &str, bytes: usize, time: Time| {
-        let speed = bytes as f64 / time.median_s * 1e-6;
-        let share = limit.median_s / time.median_s;
-        let best_share = limit.best_s / time.best_s;
-        println!("{name:8} {time}  {speed:5.0} MB/s  {share:.2} of the limit (best {best_share:.2})");
-    };
-    row("numbers", numbers.len(), limit);
-    row("amc", source.len(), parse);
-    row("disk", source.len(), disk);
+    limit.print("numbers", numbers.len(), limit);
+    parse.print("amc", source.len(), limit);
+    disk.print("disk", source.len(), limit);
     if let Some(skeleton_file) = skeleton_file {
-        let skeleton = std::fs::read(&skeleton_file).expect("the skeleton can be read");
+        let skeleton = std::fs::read(skeleton_file).expect("the skeleton can be read");
         let skeleton = Asf::parse(&skeleton).expect("the skeleton is an ASF").skeleton();
         let [motion] = measure([&mut || drop(black_box(amc.motion(black_box(&skeleton)).ok()))]);
         println!("motion   {motion}");
     }
+}
+
+fn measure_bvh(file: &Path) {
+    let source = std::fs::read(file).expect("the file can be read");
+    let bvh = Bvh::parse(&source).expect("the file is a BVH");
+    let values = &bvh.motion.as_ref().expect("the file has motion").values;
+    let numbers = numbers_of_bvh(&source, values.len());
+    let mut room = Vec::with_capacity(values.len());
+    println!("{}: {} bytes, {} values", file.display(), source.len(), values.len());
+    let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be made");
+    let (one, two) = (pool(1), pool(2));
+    let parse = || drop(black_box(Bvh::parse(black_box(&source)).ok()));
+
+    let [limit, alone, together, motion, disk] = measure([
+        &mut || read_numbers(&numbers, &mut room),
+        &mut || one.install(parse),
+        &mut || two.install(parse),
+        &mut || drop(black_box(bvh.motion())),
+        &mut || drop(black_box(std::fs::read(file).map(|source| Bvh::parse(&source)).ok())),
+    ]);
+    assert_eq!(&room, values, "both read the same numbers");
+    limit.print("numbers", numbers.len(), limit);
+    alone.print("bvh", source.len(), limit);
+    together.print("threads", source.len(), limit);
+    disk.print("disk", source.len(), limit);
+    println!("motion   {motion}");
+    let (gain, best) = (alone.median_s / together.median_s, alone.best_s / together.best_s);
+    println!("Two threads are {gain:.2} times as fast as one (best {best:.2})");
 }
 
 /// Returns the files that were named, or the first usual pair that is there.
@@ -75,7 +102,7 @@ fn choose(files: &[PathBuf]) -> Option<(PathBuf, Option<PathBuf>)> {
 }
 
 /// Returns the values of all bones, with one blank between: no names, no frame numbers.
-fn numbers_alone(source: &[u8]) -> Vec<u8> {
+fn numbers_of_amc(source: &[u8]) -> Vec<u8> {
     let lines = source.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
     let values = lines
         .filter(|line| !line.starts_with(b"#") && !line.starts_with(b":"))
@@ -85,7 +112,17 @@ fn numbers_alone(source: &[u8]) -> Vec<u8> {
     numbers
 }
 
+/// Returns the last `count` words, with one blank between.
+fn numbers_of_bvh(source: &[u8], count: usize) -> Vec<u8> {
+    let words = source.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let words: Vec<_> = words.collect();
+    let mut numbers = words[words.len() - count..].join(&b' ');
+    numbers.push(b'\n');
+    numbers
+}
+
 fn read_numbers(mut text: &[u8], values: &mut Vec<f64>) {
+    values.clear();
     while let Some((value, length)) = read_prefix(text) {
         values.push(value);
         text = text.get(length + 1..).unwrap_or_default();
@@ -97,6 +134,16 @@ fn read_numbers(mut text: &[u8], values: &mut Vec<f64>) {
 struct Time {
     median_s: f64,
     best_s: f64,
+}
+
+impl Time {
+    /// Prints it as a speed, and as a share of the limit.
+    fn print(self, name: &str, bytes: usize, limit: Self) {
+        let speed = bytes as f64 / self.median_s * 1e-6;
+        let share = limit.median_s / self.median_s;
+        let best_share = limit.best_s / self.best_s;
+        println!("{name:8} {self}  {speed:5.0} MB/s  {share:.2} of the limit (best {best_share:.2})");
+    }
 }
 
 impl std::fmt::Display for Time {

@@ -4,9 +4,9 @@ Arrays are C-contiguous float64 unless said otherwise. Quaternions are (w, x, y,
 Euler orders are Blender's: "XYZ" turns about X first, then Y, then Z, about fixed axes.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import Literal, final
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +34,9 @@ __all__ = [
     "evaluate",
     "filter_rotations",
     "filter_values",
+    "format_recipe",
     "main",
+    "parse_recipe",
     "read",
     "read_bytes",
 ]
@@ -114,6 +116,9 @@ class Motion:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
         """The same motion at another rate, low-passed first when going down."""
+    def to_bvh(self, skeleton: Skeleton) -> bytes:
+        """The motion, which must be in the file's axes (as it was read), and its skeleton as a BVH file: the same places
+        and rotations at every frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
@@ -253,6 +258,30 @@ def read(path: str | PathLike[str], *, skeleton: Skeleton | None = None) -> Clip
 def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> Clip:
     """Read a file that is already in memory; `name` stands for its path in messages and gives its extension."""
 
+@final
+class Inference:
+    """What a skeleton does not say of itself, each with the reason; the likeliest where it is not certain."""
+
+    unit_m: float
+    """Metres per file unit."""
+    unit_reason: str
+    unit_is_certain: bool
+    up: tuple[float, float, float]
+    """The axis that points up, in file axes."""
+    up_reason: str
+    up_is_certain: bool
+    facing: tuple[float, float, float]
+    """The axis towards which the figure looks in its rest pose, or at the first frame where that does not stand."""
+    facing_reason: str
+    facing_is_certain: bool
+    rate_hz: float | None
+    rate_reason: str
+    rate_is_certain: bool
+
+def infer(skeleton: Skeleton, motion: Motion | None = None) -> Inference:
+    """Work out unit, up axis, facing and rate of a skeleton from its names, its bones and a motion of it in the file's
+    axes (as it was read). Where an answer is certain, nothing speaks against it."""
+
 FilterKind = Literal["MEDIAN", "AVERAGE", "WEIGHTED"]
 
 def filter_values(values: Floats, *, kind: FilterKind, depth: int) -> Floats:
@@ -376,6 +405,13 @@ def evaluate(rig: Rig, base: Sequence[BaseChannel], entries: Sequence[Track | Fi
 
 def digest(arrays: Sequence[NDArray[np.float32]]) -> str:
     """A short hash of float32 arrays, to notice curves that were edited by hand."""
+
+def parse_recipe(text: str, *, name: str | PathLike[str]) -> dict[str, Any]:
+    """Read the text of a stack file, TOML or JSON: `version`, `skeleton`, `rate_hz` and `entries`, whose keys are the
+    names of the add-on's properties. What has its default is left out. Raises ParameterError with the line."""
+
+def format_recipe(recipe: Mapping[str, Any]) -> str:
+    """Return a stack file as TOML. Raises ParameterError where it holds what a stack file cannot."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

@@ -250,12 +250,11 @@ fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> 
 }
 
 fn bvh_clip(bvh: Bvh) -> Clip {
-    let (skeleton, motion) = bvh.skeleton_and_motion();
+    let (skeleton, motion, inference) = bvh.skeleton_motion_and_inference();
     let mut notices = bvh.notices();
-    notices.push(format!("Length unit: {}", skeleton.unit.reason));
-    if skeleton.up != glam::DVec3::Y {
-        notices.push("Up axis: the figure does not stand along Y".to_owned());
-    }
+    notices.push(format!("Length unit: {}", inference.unit_m.reason));
+    notices.push(format!("Up axis: {}", inference.up.reason));
+    notices.push(format!("Facing: {}", inference.facing.reason));
     Clip { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Clip::new(Format::Bvh) }
 }
 

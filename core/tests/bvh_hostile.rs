@@ -53,6 +53,16 @@ fn a_hierarchy_cut_at_any_byte_is_refused_and_a_motion_keeps_its_whole_frames() 
 }
 
 #[test]
+fn files_that_the_fuzzer_starts_from_are_read_and_used() {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus/bvh");
+    let files = std::fs::read_dir(corpus).unwrap().map(|entry| entry.unwrap().path());
+    let mut named: Vec<_> = files.filter(|path| path.extension().is_some()).collect();
+    named.sort();
+    let readable = named.iter().filter(|path| use_fully(&std::fs::read(path).unwrap()).is_ok());
+    assert!(readable.count() >= 6, "{named:?}");
+}
+
+#[test]
 fn a_file_is_known_by_its_content_first() {
     for name in ["small.bvh", "small.BVH", "small.amc", "small.txt", "small"] {
         let clip = read_bytes(SMALL.as_bytes(), Path::new(name), None).unwrap();
@@ -72,9 +82,11 @@ fn a_chain_of_a_million_joints_is_read_without_recursion() {
         text.push_str("JOINT a\n{\nOFFSET 0 1 0\n");
     }
     text.push_str(&"}\n".repeat(DEPTH));
-    let bvh = use_fully(text.as_bytes()).unwrap();
-    assert_eq!((bvh.joints.len(), bvh.skeleton().height()), (DEPTH, DEPTH as f64 - 1.0));
-    assert_eq!(bvh.skeleton().bones[DEPTH - 1].name, "a.999999");
+    let bvh = Bvh::parse(text.as_bytes()).unwrap();
+    let skeleton = bvh.skeleton();
+    assert_eq!((bvh.joints.len(), skeleton.height()), (DEPTH, DEPTH as f64 - 1.0));
+    assert_eq!(skeleton.bones[DEPTH - 1].name, "a.999999");
+    assert_eq!(Bvh::parse(&bvh.to_bytes()), Ok(bvh));
 }
 
 #[test]

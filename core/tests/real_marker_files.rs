@@ -48,8 +48,9 @@ fn is_no_vax(bytes: [u8; 4], encoding: Encoding) -> bool {
 /// The bits of everything that the frames of a file hold, as numbers mean it.
 fn values(c3d: &C3d) -> (Vec<Option<[u32; 3]>>, Vec<Vec<u64>>) {
     let (markers, _) = c3d.markers();
-    let positions = markers.positions.as_f32().unwrap().as_chunks::<3>().0;
-    let positions = positions.iter().map(|at| at[0].is_finite().then_some(at.map(|x| (x + 0.0).to_bits())));
+    let positions = markers.positions.to_f32().unwrap();
+    let positions =
+        positions.as_chunks::<3>().0.iter().map(|at| at[0].is_finite().then_some(at.map(|x| (x + 0.0).to_bits())));
     let channels = 0..markers.analog.channels.len();
     let analog = channels.map(|channel| markers.analog.samples(channel).iter().map(|x| (x + 0.0).to_bits()).collect());
     (positions.collect(), analog.collect())

@@ -19,8 +19,6 @@ def session() -> hand.Session:
     yield from stage.prepared()
     before = stage.state()
     entry = stage.armature().motion_theater.entries[1]
-    # The data path of the field ends alike in the form of the next track; that of the entry is the higher one.
-    yield from hand.scroll("WHEELUPMOUSE", notches=40)
     x, y = yield from hand.find_field("entries[1].scale_end")
     drive.move(x, y)
     yield 0.2

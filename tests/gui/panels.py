@@ -7,6 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+import bpy
 import drive
 
 from tests.gui import hand, stage
@@ -77,6 +78,20 @@ def bad_file() -> hand.Session:
     assert stage.state() == before
 
 
+def dropped_file() -> hand.Session:
+    """Call the operator as a drop into the 3D View does: a dialog asks for the options, Enter confirms it."""
+    motion = stage.armature().motion_theater
+    count = len(motion.entries)
+    view = drive.region("WINDOW")
+    with bpy.context.temp_override(window=drive.window(), area=drive.area(), region=view):
+        bpy.ops.motion_theater.add_track("INVOKE_DEFAULT", filepath=f"{stage.TESTDATA}/turn.amc")
+    yield 1.0
+    drive.screenshot("panels-drop")
+    yield from hand.tap("RET")
+    yield 1.0
+    assert len(motion.entries) == count + 1, "the dialog was not confirmed"
+
+
 def session() -> hand.Session:
     """All states, one after the other."""
     stage.install()
@@ -92,6 +107,7 @@ def session() -> hand.Session:
     yield from redo_panel()
     yield from missing_source()
     yield from bad_file()
+    yield from dropped_file()
 
 
 drive.run(session())

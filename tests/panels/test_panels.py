@@ -212,6 +212,18 @@ def test_the_button_gives_the_operator_what_the_form_holds() -> None:
     assert button.properties["scale_start"] == 0
 
 
+def test_the_button_gives_the_operator_what_is_remembered_as_preferences(monkeypatch: pytest.MonkeyPatch) -> None:
+    import_human()
+    remembered = SimpleNamespace(
+        rate="SAMPLES", scene_range="FIT", bl_rna=module("preferences").MotionTheaterPreferences.bl_rna
+    )
+    monkeypatch.setattr(combine.preferences, "get", lambda context: remembered)
+    layout = draw(combine.MOTION_THEATER_PT_combine, bpy.context)
+    button = layout.find("motion_theater.add_track")
+    assert (button.properties["rate"], button.properties["scene_range"]) == ("SAMPLES", "FIT")
+    assert {"rate", "scene_range"} <= set(layout.names("prop"))
+
+
 @pytest.mark.parametrize(("choice", "depth"), [("3", 3), ("7", 7), ("CUSTOM", 11)])
 def test_the_filter_buttons_give_kind_depth_and_bones(choice: str, depth: int) -> None:
     import_human()

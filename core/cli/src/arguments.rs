@@ -44,6 +44,7 @@ pub struct InfoOptions {
 }
 
 #[derive(Debug, Args)]
+#[command(override_usage = "motion-theater convert [OPTIONS] <IN>... <OUT>")]
 pub struct ConvertOptions {
     /// Motion files, or folders of them, and then where to: a file, or for several files a folder
     #[arg(required = true, num_args = 2.., value_names = ["IN", "OUT"])]
@@ -52,7 +53,7 @@ pub struct ConvertOptions {
     #[arg(long, value_parser = format)]
     pub format: Option<Format>,
     /// Frames per second to resample to; without this every frame is kept
-    #[arg(long, value_name = "HZ", value_parser = rate)]
+    #[arg(long, value_name = "HZ", value_parser = rate, allow_negative_numbers = true)]
     pub rate: Option<f64>,
     /// The skeleton of AMC files; without this it is looked for beside them
     #[arg(long, value_name = "ASF")]

@@ -11,7 +11,7 @@ use crate::arguments::CombineOptions;
 use crate::console::Console;
 use crate::folder::words;
 use crate::load::{Loaded, SkeletonFile};
-use crate::write::{moving, output_format};
+use crate::write::{of_motion, output_format};
 use crate::{report, Outcome};
 
 /// Runs the command.
@@ -19,16 +19,11 @@ pub fn run(options: &CombineOptions, console: &Console) -> Outcome {
     let format = output_format(&options.output)?;
     let combined = combine(&options.stack).and_then(|combined| {
         let Combined { first, skeleton, motion, notices } = combined;
-        let files = moving(&first, &skeleton, &motion, format, &options.output)?;
+        let files = of_motion(&first, &skeleton, &motion, format, &options.output)?;
         files.store()?;
-        let written: Vec<_> = files.paths().map(|path| path.display().to_string()).collect();
-        console.say(&format!(
-            "{} -> {}: {} frames from {}",
-            options.stack.display(),
-            written.join(", "),
-            motion.frame_count,
-            motion.first_frame
-        ));
+        let (count, last) = (motion.frame_count, motion.last_frame());
+        let verdict = files.verdict(&options.stack);
+        console.say(&format!("{verdict}: {count} frames, {} to {last}", motion.first_frame));
         for notice in notices {
             console.say(&format!("  {notice}"));
         }

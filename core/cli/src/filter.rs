@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use motion_theater_core::combine::{KeySpacing, Span};
 use motion_theater_core::filter::{Depth, FilterKind};
+use motion_theater_core::read::Format;
 use motion_theater_core::sample::Sampling;
 use motion_theater_core::stack::{evaluate_on, on_skeleton, Entry, FilterEntry, Source, Track, ASSUMED_RATE_HZ};
 use motion_theater_core::value::{Blend, FilterChannels};
-use motion_theater_core::{Motion, Skeleton};
+use motion_theater_core::{Markers, Motion, Skeleton};
 
 use crate::arguments::FilterOptions;
 use crate::console::Console;
 use crate::load::{Loaded, SkeletonFile};
-use crate::write::{moving, output_format};
+use crate::write::{of_markers, of_motion, output_format, Files};
 use crate::{report, Outcome, WrongUse};
 
 /// Runs the command.
@@ -21,26 +22,42 @@ pub fn run(options: &FilterOptions, console: &Console) -> Outcome {
     let depth = Depth::try_from(options.depth).map_err(|error| WrongUse(error.to_string()))?;
     let given = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
     let done = Loaded::read(&options.input, given.as_ref()).and_then(|loaded| {
-        let (skeleton, motion) = loaded.moving()?;
-        let bones = options.bones.as_deref().map(|names| indices(&loaded, skeleton, names)).transpose()?;
-        let filtered = filtered(skeleton, motion, options.kind.into(), depth, bones)
-            .map_err(|error| format!("{}: {error}", loaded.path.display()))?;
-        let files = moving(&loaded, skeleton, &filtered, format, &options.output)?;
+        let files = filter(&loaded, options, depth, format)?;
         files.store()?;
-        let written: Vec<_> = files.paths().map(|path| path.display().to_string()).collect();
-        console.say(&format!("{} -> {}", options.input.display(), written.join(", ")));
+        console.say(&files.verdict(&options.input));
         Ok(())
     });
     Ok(report(console, done))
 }
 
-fn indices(loaded: &Loaded, skeleton: &Skeleton, names: &[String]) -> Result<Vec<usize>, String> {
+fn filter(loaded: &Loaded, options: &FilterOptions, depth: Depth, format: Format) -> Result<Files, String> {
+    let kind = options.kind.into();
+    if let Some(markers) = &loaded.clip.markers {
+        let chosen = chosen(loaded, "marker", markers.names.iter().map(String::as_str), options)?;
+        let mut filtered = Markers::clone(markers);
+        filtered.filter(&chosen.unwrap_or_else(|| (0..markers.count()).collect()), kind, depth);
+        return of_markers(loaded, &filtered, format, &options.output);
+    }
+    let (skeleton, motion) = loaded.moving()?;
+    let chosen = chosen(loaded, "bone", skeleton.bones.iter().map(|bone| bone.name.as_str()), options)?;
+    let filtered = filtered(skeleton, motion, kind, depth, chosen)
+        .map_err(|error| format!("{}: {error}", loaded.path.display()))?;
+    of_motion(loaded, skeleton, &filtered, format, &options.output)
+}
+
+/// Returns which bones or markers are meant; `None` for all.
+fn chosen<'a>(
+    loaded: &Loaded,
+    what: &str,
+    known: impl Iterator<Item = &'a str>,
+    options: &FilterOptions,
+) -> Result<Option<Vec<usize>>, String> {
+    let known: Vec<&str> = known.collect();
     let index = |name: &String| {
-        let known = || skeleton.bones.iter().map(|bone| bone.name.as_str()).collect::<Vec<_>>().join(", ");
-        let found = skeleton.index_of(name.trim());
-        found.ok_or_else(|| format!("{}: there is no bone `{name}`: the bones are {}", loaded.path.display(), known()))
+        let wrong = || format!("{}: there is no {what} `{name}`: they are {}", loaded.path.display(), known.join(", "));
+        known.iter().position(|known| *known == name.trim()).ok_or_else(wrong)
     };
-    names.iter().map(index).collect()
+    options.bones.as_ref().map(|names| names.iter().map(index).collect()).transpose()
 }
 
 /// The file as a track of its own rate, and the filter over it: bones that are not meant keep every value.

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use motion_theater_core::markers::Event;
 use serde::Serialize;
 
 use crate::arguments::InfoOptions;
@@ -27,12 +28,30 @@ struct Info {
     joints: Option<Vec<String>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     markers: Option<Vec<String>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    analog: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    events: Vec<Happening>,
     unit_m: Option<f64>,
     up: Option<&'static str>,
     height_m: Option<f64>,
     skeleton: Option<String>,
     notices: Vec<String>,
     error: Option<String>,
+}
+
+/// Something that happened at a moment.
+#[derive(Debug, Serialize)]
+struct Happening {
+    label: String,
+    context: String,
+    time_s: f64,
+}
+
+impl Happening {
+    fn of(event: &Event) -> Self {
+        Self { label: event.label.clone(), context: event.context.clone(), time_s: event.time_s }
+    }
 }
 
 /// Runs the command.
@@ -84,7 +103,7 @@ impl Info {
         if let Some((path, reason)) = loaded.found.as_ref().filter(|(_, reason)| !reason.is_empty()) {
             notices.push(format!("Took {}, because {reason}", path.display()));
         }
-        let names = loaded.names();
+        let markers = loaded.clip.markers.as_ref();
         Self {
             path: loaded.path.display().to_string(),
             format: Some(loaded.clip.format.extension()),
@@ -92,10 +111,14 @@ impl Info {
             first_frame: (frames > 0).then(|| loaded.clip.first_frame()),
             rate_hz,
             duration_s: rate_hz.map(|rate| frames as f64 / rate),
-            joints: Some(names),
-            markers: None,
-            unit_m: skeleton.map(|skeleton| skeleton.unit.metres),
-            up: skeleton.map(|skeleton| axis_name(skeleton.up)),
+            joints: markers.is_none().then(|| loaded.names()),
+            markers: markers.map(|markers| markers.names.clone()),
+            analog: markers.map_or_else(Vec::new, |markers| {
+                markers.analog.channels.iter().map(|channel| channel.name.clone()).collect()
+            }),
+            events: markers.map_or_else(Vec::new, |markers| markers.events.iter().map(Happening::of).collect()),
+            unit_m: skeleton.map(|skeleton| skeleton.unit.metres).or(markers.map(|markers| markers.unit.metres)),
+            up: skeleton.map(|skeleton| skeleton.up).or(markers.map(|markers| markers.up.axis)).map(axis_name),
             height_m: skeleton.map(|skeleton| skeleton.height() * skeleton.unit.metres),
             skeleton: loaded.found.map(|(path, _)| path.display().to_string()),
             notices,
@@ -117,6 +140,11 @@ impl std::fmt::Display for Info {
         for (what, names) in [("joints", &self.joints), ("markers", &self.markers)] {
             if let Some(names) = names {
                 write!(f, ", {} {what}", names.len())?;
+            }
+        }
+        for (what, count) in [("analog channels", self.analog.len()), ("events", self.events.len())] {
+            if count > 0 {
+                write!(f, ", {count} {what}")?;
             }
         }
         if let (Some(unit), Some(up)) = (self.unit_m, self.up) {

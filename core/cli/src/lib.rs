@@ -19,6 +19,7 @@ mod filter;
 mod folder;
 mod in_order;
 mod info;
+mod joints_as_markers;
 mod load;
 mod points;
 mod pose;

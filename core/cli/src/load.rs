@@ -129,6 +129,7 @@ impl Loaded {
     pub fn moving(&self) -> Result<(&Skeleton, &Motion), String> {
         let motion = self.motion.as_ref().ok_or_else(|| match self.clip.format {
             Format::Amc => self.missing_skeleton(),
+            _ if self.clip.markers.is_some() => self.only_markers(),
             _ => format!("{}: there is no motion in it", self.path.display()),
         })?;
         Ok((self.skeleton()?, motion))
@@ -138,8 +139,12 @@ impl Loaded {
     pub fn skeleton(&self) -> Result<&Skeleton, String> {
         self.skeleton.as_ref().ok_or_else(|| match self.clip.format {
             Format::Amc => self.missing_skeleton(),
-            _ => format!("{}: there is no skeleton in it", self.path.display()),
+            _ => self.only_markers(),
         })
+    }
+
+    fn only_markers(&self) -> String {
+        format!("{}: there are markers in it and no skeleton", self.path.display())
     }
 
     fn missing_skeleton(&self) -> String {

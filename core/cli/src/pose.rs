@@ -1,6 +1,8 @@
 //! `motion-theater pose`: where everything is at one frame.
 
-use glam::DVec3;
+use std::path::Path;
+
+use motion_theater_core::markers::{Markers, PointKind};
 use serde::Serialize;
 
 use crate::arguments::PoseOptions;
@@ -48,21 +50,42 @@ fn pose_at(loaded: &Loaded, frame: Option<f64>) -> Result<PoseReport, String> {
             _ => format!("{}: its frames are {first} to {last}, without {frame}", loaded.path.display()),
         });
     }
+    if let Some(markers) = &loaded.clip.markers {
+        return seen_at(&loaded.path, markers, frame);
+    }
     if loaded.frame_count() > 0 {
         loaded.moving()?;
     }
     let skeleton = loaded.skeleton()?;
     let points = points(&loaded.clip, skeleton);
-    let positions: Vec<Option<DVec3>> =
-        positions(&points, skeleton, loaded.motion.as_ref(), frame).into_iter().map(Some).collect();
-    let names = points.into_iter().map(|point| point.name).collect();
+    let positions = positions(&points, skeleton, loaded.motion.as_ref(), frame);
     let to_metres = to_z_up(skeleton.up) * skeleton.unit.metres;
     Ok(PoseReport {
         path: loaded.path.display().to_string(),
         frame: number(frame),
-        names,
-        positions_m: positions.iter().map(|at| at.map(|at| (to_metres * at).to_array())).collect(),
-        positions_file: positions.iter().map(|at| at.map(|at| at.to_array())).collect(),
+        names: points.into_iter().map(|point| point.name).collect(),
+        positions_m: positions.iter().map(|at| Some((to_metres * *at).to_array())).collect(),
+        positions_file: positions.iter().map(|at| Some(at.to_array())).collect(),
+    })
+}
+
+/// Markers are where they were seen: there are none between two frames. What is no position has no place in metres.
+fn seen_at(path: &Path, markers: &Markers, frame: f64) -> Result<PoseReport, String> {
+    if frame.fract() != 0.0 {
+        return Err(format!("{}: markers have whole frames, not {frame}", path.display()));
+    }
+    let index = (frame as i64 - markers.first_frame) as usize;
+    let seen = |marker: usize| markers.positions.get(marker, index);
+    let is_place = |marker: &usize| markers.kinds.get(*marker) == Some(&PointKind::Position);
+    let to_metres = to_z_up(markers.up.axis) * markers.unit.metres;
+    let place = |marker: usize| Some((to_metres * seen(marker)?).to_array());
+    let all = 0..markers.count();
+    Ok(PoseReport {
+        path: path.display().to_string(),
+        frame: number(frame),
+        names: markers.names.clone(),
+        positions_m: all.clone().map(|marker| Some(marker).filter(is_place).and_then(place)).collect(),
+        positions_file: all.map(|marker| Some(seen(marker)?.to_array())).collect(),
     })
 }
 

@@ -3,8 +3,10 @@
 use glam::DQuat;
 use motion_theater_core::filter::{self, Depth, FilterKind};
 use motion_theater_core::ParameterError;
-use numpy::ndarray::{Array2, Array3};
-use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::ndarray::Array3;
+use numpy::{
+    IntoPyArray, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -38,15 +40,15 @@ pub fn filter_values<'py>(
     depth: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (kind, depth) = (self::kind(kind)?, self::depth(depth)?);
-    let (channels, frames) = (values.shape()[0], values.shape()[1]);
-    let values = row_first("values", &values)?;
-    let filtered = py.detach(|| {
-        let mut filtered = vec![0.0; values.len()];
-        filter::filter_channels(values, frames, &mut filtered, kind, depth);
-        filtered
-    });
-    let filtered = Array2::from_shape_vec((channels, frames), filtered);
-    Ok(filtered.map_err(|error| PyValueError::new_err(error.to_string()))?.into_pyarray(py))
+    let frames = values.shape()[1];
+    // numpy's own memory: it asks the system for large pages, which a vector of Rust does not.
+    let filtered = PyArray2::zeros(py, [values.shape()[0], frames], false);
+    {
+        let mut out = filtered.try_readwrite()?;
+        let (values, out) = (row_first("values", &values)?, out.as_slice_mut()?);
+        py.detach(|| filter::filter_channels(values, frames, out, kind, depth));
+    }
+    Ok(filtered)
 }
 
 /// Filter (bones, frames, 4) quaternions as rotations.

@@ -14,8 +14,10 @@ mod entries;
 mod errors;
 mod evaluation;
 mod filters;
+mod inference;
 mod markers;
 mod motion;
+mod recipe;
 mod rig;
 mod skeleton;
 
@@ -30,6 +32,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<markers::PyEvent>()?;
     module.add_class::<markers::PyAnalogChannel>()?;
     module.add_class::<clip::PyClip>()?;
+    module.add_class::<inference::PyInference>()?;
     module.add_class::<rig::PyRig>()?;
     module.add_class::<rig::PyBaseChannel>()?;
     module.add_class::<entries::PyTrack>()?;
@@ -40,8 +43,11 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(command_line::main, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
+    module.add_function(wrap_pyfunction!(inference::infer, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_values, module)?)?;
     module.add_function(wrap_pyfunction!(filters::filter_rotations, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
+    module.add_function(wrap_pyfunction!(recipe::parse_recipe, module)?)?;
+    module.add_function(wrap_pyfunction!(recipe::format_recipe, module)?)?;
     module.add_function(wrap_pyfunction!(evaluation::digest, module)?)
 }

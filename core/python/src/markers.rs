@@ -1,5 +1,6 @@
 //! `motion_theater.Markers` and what belongs to it.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -175,16 +176,12 @@ impl PyMarkers {
     fn positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let shape = (self.0.count(), self.0.frame_count(), 3);
         let positions = &self.0.positions;
-        match (positions.as_f32(), positions.as_f64()) {
-            (Some(values), _) => {
-                let array = Array3::from_shape_vec(shape, values.to_vec()).map_err(shape_error)?;
-                Ok(array.into_pyarray(py).into_any())
-            }
-            (None, values) => {
-                let values = values.unwrap_or_default().to_vec();
-                Ok(Array3::from_shape_vec(shape, values).map_err(shape_error)?.into_pyarray(py).into_any())
-            }
+        let single = py.detach(|| positions.to_f32().map(Cow::into_owned));
+        if let Some(values) = single {
+            return Ok(Array3::from_shape_vec(shape, values).map_err(shape_error)?.into_pyarray(py).into_any());
         }
+        let values = positions.as_f64().unwrap_or_default().to_vec();
+        Ok(Array3::from_shape_vec(shape, values).map_err(shape_error)?.into_pyarray(py).into_any())
     }
 
     #[getter]

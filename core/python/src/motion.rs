@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use motion_theater_core::formats::bvh::Bvh;
 use motion_theater_core::pose::pose;
 use motion_theater_core::rest_axes::RestAxes;
 use motion_theater_core::stack::Source;
@@ -10,6 +11,7 @@ use motion_theater_core::{BoneMotion, EulerOrder, Skeleton};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use crate::arrays::{one_per_bone, quaternions, read_quaternions, rows, vectors};
 use crate::errors;
@@ -121,6 +123,11 @@ impl PyMotion {
         let motion = py.detach(|| self.source.motion().in_rest_axes(&self.skeleton, &host, scale));
         let names = names.into_iter().map(Option::unwrap_or_default).collect();
         Ok(Self { source: Arc::new(Source::new(motion)), names, skeleton: Arc::clone(&self.skeleton) })
+    }
+
+    fn to_bvh<'py>(&self, py: Python<'py>, skeleton: &PySkeleton) -> Bound<'py, PyBytes> {
+        let bytes = py.detach(|| Bvh::from_motion(&skeleton.0, self.source.motion()).to_bytes());
+        PyBytes::new(py, &bytes)
     }
 
     fn __repr__(&self) -> String {

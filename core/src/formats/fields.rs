@@ -1,7 +1,8 @@
 //! Lines of marker files in text: words between blanks, cells between tabs. Here `#` begins no comment.
 
 use crate::markers::{Markers, PointKind};
-use crate::text::{is_blank, Word, Words};
+use crate::text::{is_blank, Word, Words, LARGEST};
+use glam::DVec3;
 
 /// Returns the words of a line.
 pub(super) fn words<'a>(source: &'a [u8], line: &Words<'a>) -> impl Iterator<Item = Word<'a>> + use<'a> {
@@ -35,6 +36,11 @@ pub(super) fn turned(values: &[f64], marker_count: usize, frame_count: usize) ->
     let rows = values.as_chunks::<3>().0;
     let trajectory = |marker: usize| rows.iter().skip(marker).step_by(marker_count.max(1)).take(frame_count);
     (0..marker_count).flat_map(trajectory).flatten().copied().collect()
+}
+
+/// Returns coordinates as text files have them: not numbers in a gap, and where no reader would take them.
+pub(super) fn written(position: Option<DVec3>) -> [f64; 3] {
+    position.filter(|at| at.abs().max_element() <= LARGEST).unwrap_or(DVec3::NAN).to_array()
 }
 
 /// Returns the markers that are positions, and a name for each that a text file can hold: no blank, no comma, not empty.
@@ -76,6 +82,6 @@ mod tests {
     fn frames_of_markers_become_markers_of_frames() {
         let frames: Vec<f64> = (0..12).map(f64::from).collect();
         assert_eq!(turned(&frames, 2, 2), [0.0, 1.0, 2.0, 6.0, 7.0, 8.0, 3.0, 4.0, 5.0, 9.0, 10.0, 11.0]);
-        assert_eq!(turned(&[], 0, 5), []);
+        assert!(turned(&[], 0, 5).is_empty());
     }
 }

@@ -18,6 +18,9 @@ const TRUNK_PER_NECK: f64 = 1.2;
 /// out a part of the spine. Animals on four legs have a longer trunk.
 const LEGS_PER_TRUNK: std::ops::RangeInclusive<f64> = 1.0..=2.2;
 
+/// What has more bones is no body.
+const MOST_BONES: usize = 50_000;
+
 /// Two legs, and what can be found above them. Numbers are indices of bones.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body {
@@ -45,7 +48,7 @@ impl Body {
     pub(super) fn find(skeleton: &Skeleton) -> Option<Self> {
         // The first of several is the one nearest to the root, but for a neck.
         let mut parts: HashMap<(Part, Side), usize> = HashMap::new();
-        for (index, bone) in skeleton.bones.iter().enumerate() {
+        for (index, bone) in skeleton.bones.iter().enumerate().take(MOST_BONES) {
             if let Some(found) = classify(&bone.name) {
                 let first = parts.entry(found).or_insert(index);
                 if found.0 == Part::Neck {

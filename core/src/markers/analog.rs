@@ -1,5 +1,7 @@
 //! What was recorded beside the markers: forces, muscles, switches.
 
+use crate::formats::c3d::Frames;
+
 /// Analog signals, as they were recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Analog {
@@ -46,17 +48,20 @@ pub struct AnalogChannel {
 /// Recorded numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RawSamples {
-    /// Of a converter of up to 16 bits, signed.
-    Signed(Vec<i16>),
-    /// Of a converter of 16 bits, unsigned.
-    Unsigned(Vec<u16>),
-    /// Numbers with a point.
-    Float(Vec<f32>),
+    /// Numbers by themselves.
+    Values(Vec<f32>),
+    /// Those of a C3D, where they lie.
+    Recorded {
+        /// The file's frames.
+        frames: Frames,
+        /// Whether integers have no sign.
+        is_unsigned: bool,
+    },
 }
 
 impl Default for RawSamples {
     fn default() -> Self {
-        Self::Float(Vec::new())
+        Self::Values(Vec::new())
     }
 }
 
@@ -64,9 +69,8 @@ impl RawSamples {
     /// Returns how many there are.
     pub fn len(&self) -> usize {
         match self {
-            Self::Signed(values) => values.len(),
-            Self::Unsigned(values) => values.len(),
-            Self::Float(values) => values.len(),
+            Self::Values(values) => values.len(),
+            Self::Recorded { frames, .. } => frames.analog_count(),
         }
     }
 
@@ -75,16 +79,26 @@ impl RawSamples {
         self.len() == 0
     }
 
-    /// Returns every `step`th number from `first` on.
-    fn every(&self, first: usize, step: usize) -> Vec<f64> {
-        fn pick<T: Copy + Into<f64>>(values: &[T], first: usize, step: usize) -> Vec<f64> {
-            values.iter().skip(first).step_by(step.max(1)).map(|value| (*value).into()).collect()
-        }
+    /// Returns a number; `None` beyond the last.
+    #[inline]
+    pub fn get(&self, at: usize) -> Option<f64> {
         match self {
-            Self::Signed(values) => pick(values, first, step),
-            Self::Unsigned(values) => pick(values, first, step),
-            Self::Float(values) => pick(values, first, step),
+            Self::Values(values) => values.get(at).map(|value| f64::from(*value)),
+            Self::Recorded { frames, is_unsigned } => frames.analog(at, *is_unsigned),
         }
+    }
+
+    /// Returns every `step`th number from `first` on; `step` is what each sample has.
+    fn every(&self, first: usize, step: usize) -> Vec<f64> {
+        match self {
+            Self::Values(values) => values.iter().skip(first).step_by(step.max(1)).map(|x| f64::from(*x)).collect(),
+            Self::Recorded { frames, is_unsigned } => frames.channel(first, step, *is_unsigned),
+        }
+    }
+
+    /// Returns all numbers in order.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + use<'_> {
+        (0..self.len()).filter_map(|at| self.get(at))
     }
 }
 
@@ -113,11 +127,9 @@ mod tests {
     fn a_channel_is_every_nth_number_less_the_offset_times_the_scale() {
         let channel = |offset, scale| AnalogChannel { offset, scale, ..AnalogChannel::default() };
         let channels = vec![channel(0.0, 1.0), channel(2048.0, -0.5)];
-        let raw = [RawSamples::Signed(vec![1, 2048, 2, 2050]), RawSamples::Unsigned(vec![1, 2048, 2, 2050])];
-        for raw in raw {
-            let analog = Analog { channels: channels.clone(), raw, ..Analog::default() };
-            assert_eq!((analog.samples(0), analog.samples(1)), (vec![1.0, 2.0], vec![-0.0, -1.0]));
-            assert_eq!((analog.samples(2), analog.sample_count()), (vec![], 2));
-        }
+        let raw = RawSamples::Values(vec![1.0, 2048.0, 2.0, 2050.0]);
+        let analog = Analog { channels, raw, ..Analog::default() };
+        assert_eq!((analog.samples(0), analog.samples(1)), (vec![1.0, 2.0], vec![-0.0, -1.0]));
+        assert_eq!((analog.samples(2), analog.sample_count()), (vec![], 2));
     }
 }

@@ -4,6 +4,7 @@ mod analog;
 mod filter;
 mod positions;
 mod quality;
+mod resample;
 pub(crate) mod scale;
 
 pub use analog::{Analog, AnalogChannel, RawSamples};
@@ -99,5 +100,30 @@ impl Markers {
     /// Returns the file's own number, not always whole, of the frame at which an event is.
     pub fn frame_of(&self, event: &Event) -> Option<f64> {
         Some(event.time_s * self.rate_hz? + 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Markers that move along X only, from frame 1 on; what is not a number is a gap.
+    pub(super) fn walk(xs: &[&[f64]], rate_hz: Option<f64>) -> Markers {
+        let frame_count = xs.first().map_or(0, |xs| xs.len());
+        let place = |x: f64| if x.is_nan() { [f64::NAN; 3] } else { [x, 0.0, 0.0] };
+        let values = xs.iter().flat_map(|xs| xs.iter().flat_map(|x| place(*x))).collect();
+        let reason = String::new();
+        Markers {
+            names: (0..xs.len()).map(|marker| format!("M{marker}")).collect(),
+            kinds: vec![PointKind::Position; xs.len()],
+            positions: Positions::of_f64(values, frame_count),
+            quality: Quality::default(),
+            first_frame: 1,
+            rate_hz,
+            unit: LengthUnit { metres: 0.001, reason: reason.clone(), is_certain: true },
+            up: UpAxis { axis: DVec3::Z, reason, is_certain: true },
+            events: Vec::new(),
+            analog: Analog::default(),
+        }
     }
 }

@@ -1,11 +1,14 @@
 //! Where markers are: trajectory after trajectory, in the width of the file's numbers.
 
+use crate::formats::c3d::Frames;
 use glam::DVec3;
+use std::borrow::Cow;
 
 /// Positions of all markers on all frames. A gap is a position that is not a number.
 ///
-/// The numbers lie marker after marker, frame after frame, x y z; binary files have 32 bits for each, text files have as
-/// many digits as they like.
+/// As numbers they lie marker after marker, frame after frame, x y z; binary files have 32 bits for each, text files have
+/// as many digits as they like. Those of a C3D stay where they lie in the file until they are changed: looking at some of
+/// them, or at one trajectory, costs no more than that.
 #[derive(Debug, Clone)]
 pub struct Positions {
     frame_count: usize,
@@ -16,6 +19,7 @@ pub struct Positions {
 enum Values {
     Single(Vec<f32>),
     Double(Vec<f64>),
+    Recorded(Frames),
 }
 
 impl Positions {
@@ -31,23 +35,29 @@ impl Positions {
         Self { frame_count, values: Values::Double(values) }
     }
 
+    /// Takes those of a C3D.
+    pub(crate) fn recorded(frames: Frames) -> Self {
+        Self { frame_count: frames.frame_count(), values: Values::Recorded(frames) }
+    }
+
     /// Returns how many frames each trajectory has.
     pub fn frame_count(&self) -> usize {
         self.frame_count
     }
 
-    /// Returns the numbers where they are of 32 bits.
-    pub fn as_f32(&self) -> Option<&[f32]> {
+    /// Returns the numbers where they are of 32 bits; `None` where they are of 64.
+    pub fn to_f32(&self) -> Option<Cow<'_, [f32]>> {
         match &self.values {
-            Values::Single(values) => Some(values),
+            Values::Single(values) => Some(Cow::Borrowed(values)),
             Values::Double(_) => None,
+            Values::Recorded(frames) => Some(Cow::Owned(frames.positions())),
         }
     }
 
-    /// Returns the numbers where they are of 64 bits.
+    /// Returns the numbers where they are of 64 bits; `None` where they are of 32.
     pub fn as_f64(&self) -> Option<&[f64]> {
         match &self.values {
-            Values::Single(_) => None,
+            Values::Single(_) | Values::Recorded(_) => None,
             Values::Double(values) => Some(values),
         }
     }
@@ -62,6 +72,7 @@ impl Positions {
         let position = match &self.values {
             Values::Single(values) => DVec3::from_array(values.as_chunks::<3>().0.get(at)?.map(f64::from)),
             Values::Double(values) => DVec3::from_array(*values.as_chunks::<3>().0.get(at)?),
+            Values::Recorded(frames) => DVec3::from_array(frames.position(marker, frame)?.map(f64::from)),
         };
         (!position.is_nan()).then_some(position)
     }
@@ -74,6 +85,9 @@ impl Positions {
 
     /// Replaces a trajectory, rounded to the width of the others; what is too long is left out.
     pub fn set_trajectory(&mut self, marker: usize, trajectory: &[DVec3]) {
+        if let Values::Recorded(frames) = &self.values {
+            self.values = Values::Single(frames.positions());
+        }
         let start = marker.saturating_mul(self.frame_count);
         let wanted = trajectory.iter().take(self.frame_count);
         match &mut self.values {
@@ -85,36 +99,33 @@ impl Positions {
                 let places = values.as_chunks_mut::<3>().0.iter_mut().skip(start);
                 places.zip(wanted).for_each(|(place, value)| *place = value.to_array());
             }
+            Values::Recorded(_) => {}
         }
     }
 
     /// Returns for every sample whether the marker was seen, marker after marker.
     pub fn valid(&self) -> Vec<bool> {
+        (0..self.marker_count())
+            .flat_map(|marker| (0..self.frame_count).map(move |frame| self.get(marker, frame).is_some()))
+            .collect()
+    }
+
+    fn marker_count(&self) -> usize {
+        let of_numbers = |count: usize| count.checked_div(3 * self.frame_count).unwrap_or(0);
         match &self.values {
-            Values::Single(values) => {
-                values.as_chunks::<3>().0.iter().map(|position| !position.iter().any(|x| x.is_nan())).collect()
-            }
-            Values::Double(values) => {
-                values.as_chunks::<3>().0.iter().map(|position| !position.iter().any(|x| x.is_nan())).collect()
-            }
+            Values::Single(values) => of_numbers(values.len()),
+            Values::Double(values) => of_numbers(values.len()),
+            Values::Recorded(frames) => frames.point_count(),
         }
     }
 }
 
-/// Gaps are equal to each other, though numbers that are none are not.
+/// Positions are equal where all samples are, whatever holds them; gaps are equal to each other.
 impl PartialEq for Positions {
     fn eq(&self, other: &Self) -> bool {
-        let same = |a: f64, b: f64| a == b || a.is_nan() && b.is_nan();
-        self.frame_count == other.frame_count
-            && match (&self.values, &other.values) {
-                (Values::Single(own), Values::Single(others)) => {
-                    own.len() == others.len() && own.iter().zip(others).all(|(a, b)| same((*a).into(), (*b).into()))
-                }
-                (Values::Double(own), Values::Double(others)) => {
-                    own.len() == others.len() && own.iter().zip(others).all(|(a, b)| same(*a, *b))
-                }
-                _ => false,
-            }
+        let shape = |positions: &Self| (positions.marker_count(), positions.frame_count);
+        let is_same = |marker| (0..self.frame_count).all(|frame| self.get(marker, frame) == other.get(marker, frame));
+        shape(self) == shape(other) && (0..self.marker_count()).all(is_same)
     }
 }
 

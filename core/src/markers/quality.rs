@@ -1,36 +1,44 @@
 //! How well markers were seen.
 
-/// The quality of every sample, as C3D stores it: a word with the cameras in its upper and the residual in its lower byte.
+use crate::formats::c3d::Frames;
+
+/// The quality of every sample, where the format has one: which cameras saw the marker, and how far their rays pass each
+/// other.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Quality {
-    /// One word per sample, marker after marker; negative in a gap. Empty where the format has nothing of the kind.
-    pub words: Vec<i16>,
-    /// What the lower byte is multiplied by to be a length in file units.
-    pub scale: f32,
-}
+pub struct Quality(Option<Frames>);
 
 impl Quality {
-    /// Returns the residual of every sample in file units, marker after marker: how far the rays of the cameras pass each
-    /// other. 0 where it was not measured, -1 in a gap.
+    /// Takes what a C3D says.
+    pub(crate) fn recorded(frames: Frames) -> Self {
+        Self(Some(frames))
+    }
+
+    /// Returns the word of a sample as C3D stores it, cameras in its upper and the residual in its lower byte; negative in
+    /// a gap, 0 where nothing is known.
+    pub(crate) fn word(&self, marker: usize, frame: usize) -> i16 {
+        self.0.as_ref().map_or(0, |frames| frames.word(marker, frame))
+    }
+
+    /// Returns what the residual in a word is multiplied by to be a length in file units.
+    pub(crate) fn scale(&self) -> f32 {
+        self.0.as_ref().map_or(0.0, Frames::scale)
+    }
+
+    /// Returns the residual of every sample in file units, marker after marker: 0 where it was not measured, -1 in a gap;
+    /// nothing where the format has none.
     pub fn residuals(&self) -> Vec<f32> {
-        let residual = |word: &i16| if *word < 0 { -1.0 } else { f32::from(*word & 0xFF) * self.scale };
-        self.words.iter().map(residual).collect()
+        let scale = self.scale();
+        let residual = |word: i16| if word < 0 { -1.0 } else { f32::from(word & 0xFF) * scale };
+        self.words().into_iter().map(residual).collect()
     }
 
-    /// Returns for every sample, marker after marker, which of the first seven cameras saw it, a bit each.
+    /// Returns for every sample, marker after marker, which of the first seven cameras saw it, a bit each; nothing where
+    /// the format does not say.
     pub fn cameras(&self) -> Vec<u8> {
-        self.words.iter().map(|word| if *word < 0 { 0 } else { (*word >> 8) as u8 }).collect()
+        self.words().into_iter().map(|word| if word < 0 { 0 } else { (word >> 8) as u8 }).collect()
     }
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_word_is_cameras_above_and_residual_below() {
-        let quality = Quality { words: vec![0x0303, 0x7F00, 0, -1, i16::MIN], scale: 0.5 };
-        assert_eq!(quality.residuals(), [1.5, 0.0, 0.0, -1.0, -1.0]);
-        assert_eq!(quality.cameras(), [3, 127, 0, 0, 0]);
+    fn words(&self) -> Vec<i16> {
+        self.0.as_ref().map(Frames::words).unwrap_or_default()
     }
 }

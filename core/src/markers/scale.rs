@@ -11,7 +11,7 @@ const PERSON_M: std::ops::RangeInclusive<f64> = 0.7..=2.6;
 const POSSIBLE_M: std::ops::RangeInclusive<f64> = 0.05..=20.0;
 
 /// At most so many frames are looked at.
-const LOOKS: usize = 24;
+const LOOKS: usize = 16;
 
 /// Units with their names in files and in words, likely ones first.
 const UNITS: [(&str, f64, &str); 10] = [

@@ -100,8 +100,10 @@ fn depth_notices(rig: &Rig, events: &[(usize, Event)]) -> Vec<String> {
     }
     let sentence = |event: &Event| {
         let Event::DepthReduced { border, asked, depth } = *event else { return None };
-        let (before, after) = (depth.before.max(0), depth.after.max(0));
-        let text = format!("Blend depth {asked} reduced to {before} before and {after} after frame {border}");
+        let short = [(depth.before, "before"), (depth.after, "after")].into_iter();
+        let short = short.filter(|&(reach, _)| reach < i64::from(asked));
+        let reach: Vec<_> = short.map(|(reach, side)| format!("{} {side}", reach.max(0))).collect();
+        let text = format!("Blend depth {asked} reduced to {} frame {border}", reach.join(" and "));
         // One sentence per border speaks for itself; several say whom they mean.
         let bones = || list(&named(rig, events, |other| other == *event));
         Some(if seen.len() > 2 { format!("{text} for {}", bones()) } else { text })

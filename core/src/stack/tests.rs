@@ -117,10 +117,7 @@ fn the_tutorial_comes_out_as_told() {
     let joined = evaluate(3);
     let arm = find(&joined, 2, Channel::RotationQuaternion);
     assert_eq!((arm.key_range(), arm.key_count), (Some((1.0, 113.0)), 113));
-    assert_eq!(
-        joined.notices,
-        [Notice { entry: 2, text: "Blend depth 10 reduced to 10 before and 0 after frame 67".into() }]
-    );
+    assert_eq!(joined.notices, [Notice { entry: 2, text: "Blend depth 10 reduced to 0 after frame 67".into() }]);
     assert_eq!(key(arm, 40), key(find(&with_wave, 2, Channel::RotationQuaternion), 40));
 
     let filtered = evaluate(4);

@@ -71,8 +71,7 @@ fn convert(job: &Job, options: &ConvertOptions, skeleton: Option<&SkeletonFile>)
         return Err(format!("{}: not written, for {} is read for it", input.display(), path.display()));
     }
     files.store()?;
-    let written: Vec<_> = files.paths().map(|path| path.display().to_string()).collect();
-    Ok(Verdict::Converted(format!("{} -> {}", input.display(), written.join(", "))))
+    Ok(Verdict::Converted(files.verdict(input)))
 }
 
 /// Whether an output is there and not older than what it is made from. Outputs are never there in part.

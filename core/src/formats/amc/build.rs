@@ -48,7 +48,8 @@ impl Amc {
 /// are enough.
 pub fn with_dofs_for(skeleton: &Skeleton, motion: &Motion) -> Skeleton {
     let mut skeleton = skeleton.clone();
-    for (bone, channels) in skeleton.bones.iter_mut().zip(&motion.bones) {
+    let at_rest = BoneMotion::default();
+    for (bone, channels) in skeleton.bones.iter_mut().zip(motion.bones.iter().chain(std::iter::repeat(&at_rest))) {
         list_rotations_as_applied(bone);
         let needed = needed_dofs(bone, channels);
         if needed.iter().any(|dof| !bone.dofs.contains(dof)) {

@@ -158,7 +158,10 @@ fn for_each_line<'a>(
     first: Words<'a>,
     mut read: impl FnMut(Words<'a>) -> Result<(), ParseError>,
 ) -> Result<(), ParseError> {
-    if first.clone().next().is_some() {
+    if let Some(word) = first.clone().next() {
+        if word.bytes.starts_with(b":") {
+            return Err(word.unexpected("a field, for each section begins on a line of its own"));
+        }
         read(first)?;
     }
     while let Some(words) = next_of_section(lines) {

@@ -1,6 +1,7 @@
 //! Rules of the format, a line or two each, and the messages for files that break them.
 
 use super::*;
+use crate::error::Position;
 use crate::read::Format;
 use glam::DVec3;
 
@@ -39,6 +40,15 @@ fn every_section_is_read() {
     assert_eq!((thigh.axis, dof_words(&thigh.dofs).as_str()), ([0.0, 0.0, 20.0], "rx ry rz"));
     assert_eq!(thigh.limits, [(-160.0, 20.0), (-70.0, 70.0), (-60.0, 70.0)]);
     assert_eq!(asf.hierarchy[1], Family { parent: "thigh".to_owned(), children: vec!["shin".to_owned()] });
+}
+
+#[test]
+fn a_colon_begins_a_section_only_at_the_beginning_of_a_line() {
+    let asf = parsed(&SMALL.replace(":documentation\n", ":documentation :note\n"));
+    assert_eq!(asf.documentation, Some(vec![":note".to_owned(), "  two bones".to_owned()]));
+    assert_eq!(Asf::parse(&asf.to_bytes()), Ok(asf));
+    let error = Asf::parse(SMALL.replace(":units\n", ":units :note\n").as_bytes()).unwrap_err();
+    assert_eq!((error.position, error.found.as_str()), (Position::Text { line: 3, column: 8 }, "`:note`"));
 }
 
 #[test]

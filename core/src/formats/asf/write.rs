@@ -16,8 +16,10 @@ impl Asf {
         }
         self.write_units(&mut out);
         if let Some(lines) = &self.documentation {
-            out.line(0, &[":documentation"]);
-            for line in lines {
+            // On a line of its own, a text that begins with a colon would be the next section.
+            let inline = lines.first().filter(|line| line.trim_start().starts_with(':'));
+            out.line(0, &[":documentation", inline.map_or("", String::as_str)]);
+            for line in lines.iter().skip(usize::from(inline.is_some())) {
                 out.raw(line);
             }
         }

@@ -3,7 +3,7 @@
 use super::name::unique_names;
 use super::skeleton::order;
 use super::{Bvh, BvhMotion, Channel, Joint};
-use crate::infer::infer;
+use crate::infer::{infer, Inference};
 use crate::motion::{BoneMotion, Motion};
 use crate::rate::rate_of_frame_time;
 use crate::skeleton::Skeleton;
@@ -42,9 +42,16 @@ impl Bvh {
 
     /// Returns the rest pose and the motion; what the format does not say is inferred from both.
     pub fn skeleton_and_motion(&self) -> (Skeleton, Option<Motion>) {
-        let (mut skeleton, motion) = (self.skeleton_as_written(), self.motion());
-        infer(&skeleton, motion.as_ref()).apply_to(&mut skeleton);
+        let (skeleton, motion, _) = self.skeleton_motion_and_inference();
         (skeleton, motion)
+    }
+
+    /// Returns the same, and what was inferred.
+    pub(crate) fn skeleton_motion_and_inference(&self) -> (Skeleton, Option<Motion>, Inference) {
+        let (mut skeleton, motion) = (self.skeleton_as_written(), self.motion());
+        let inference = infer(&skeleton, motion.as_ref());
+        inference.apply_to(&mut skeleton);
+        (skeleton, motion, inference)
     }
 
     /// Returns what is odd in the file and what was done about it, a sentence each.

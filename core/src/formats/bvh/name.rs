@@ -39,24 +39,24 @@ fn is_lone_brace(text: &[u8], at: usize, start: usize) -> bool {
 /// Returns a name of its own for each, and which were changed. `.001` and so on sets the later ones apart.
 pub(super) fn unique_names<'a>(names: impl Iterator<Item = &'a str> + Clone) -> (Vec<String>, Vec<String>) {
     let taken: HashSet<&str> = names.clone().collect();
-    let mut used: HashSet<String> = HashSet::with_capacity(taken.len());
+    let mut seen: HashSet<&str> = HashSet::with_capacity(taken.len());
     let mut counts: HashMap<&str, usize> = HashMap::new();
     let (mut unique, mut changed) = (Vec::new(), Vec::new());
     for name in names {
-        let mut own = name.to_owned();
-        if name.is_empty() || used.contains(name) {
-            let base = if name.is_empty() { NAMELESS } else { name };
-            let count = counts.entry(base).or_default();
-            loop {
-                *count += 1;
-                own = format!("{base}.{count:03}");
-                if !taken.contains(own.as_str()) && !used.contains(&own) {
-                    break;
-                }
-            }
-            changed.push(own.clone());
+        if !name.is_empty() && seen.insert(name) {
+            unique.push(name.to_owned());
+            continue;
         }
-        used.insert(own.clone());
+        let base = if name.is_empty() { NAMELESS } else { name };
+        let count = counts.entry(base).or_default();
+        let own = loop {
+            *count += 1;
+            let own = format!("{base}.{count:03}");
+            if !taken.contains(own.as_str()) {
+                break own;
+            }
+        };
+        changed.push(own.clone());
         unique.push(own);
     }
     (unique, changed)

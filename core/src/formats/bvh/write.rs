@@ -8,7 +8,7 @@ use crate::number;
 const TYPICAL_VALUE_BYTES: usize = 10;
 
 /// Lines are not indented further than this: a chain of a million joints would be nothing but tabs.
-const DEEPEST_INDENT: usize = 60;
+const DEEPEST_INDENT: usize = 32;
 
 impl Bvh {
     /// Returns the file anew: reading it gives equal joints and an equal motion. How many frames it says it has is how many

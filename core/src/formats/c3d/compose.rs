@@ -51,7 +51,7 @@ impl C3d {
 
 /// Returns how long a step of an integer coordinate is: that of the quality words if all coordinates fit.
 fn point_step(markers: &Markers, factor: f64, storage: Storage) -> f32 {
-    let known = markers.quality.scale * factor as f32;
+    let known = markers.quality.scale() * factor as f32;
     let frames = (0..markers.count()).flat_map(|marker| (0..markers.frame_count()).map(move |frame| (marker, frame)));
     let positions = frames.filter_map(|(marker, frame)| markers.positions.get(marker, frame));
     let largest = positions.fold(0.0_f64, |largest, at| largest.max(at.abs().max_element())) * factor;
@@ -159,19 +159,21 @@ impl<'a> StoredAnalog<'a> {
             zero: 0.0,
             step: 1.0,
         };
-        let is_integer = |value: &f32| value.fract() == 0.0 && value.abs() <= f32::from(i16::MAX);
-        let channels = match (&analog.raw, storage) {
-            (RawSamples::Float(values), Storage::Integer) if !values.iter().all(is_integer) => {
-                (0..analog.channels.len()).map(|channel| in_steps(analog, values, channel)).collect()
-            }
-            _ => analog.channels.iter().map(as_recorded).collect(),
+        let range =
+            if is_unsigned(analog) { 0.0..=f64::from(u16::MAX) } else { f64::from(i16::MIN)..=f64::from(i16::MAX) };
+        let is_integer = |number: f64| number.fract() == 0.0 && range.contains(&number);
+        let channels = if storage == Storage::Float || analog.raw.iter().all(is_integer) {
+            analog.channels.iter().map(as_recorded).collect()
+        } else {
+            (0..analog.channels.len()).map(|channel| in_steps(analog, channel)).collect()
         };
         Self { analog, channels }
     }
 
     fn write_parameters(&self, section: &mut Section) {
         let analog = self.analog;
-        let is_unsigned = matches!(analog.raw, RawSamples::Unsigned(_));
+        // What is counted from zero has a sign.
+        let is_unsigned = is_unsigned(analog) && self.channels.iter().all(|channel| channel.step == 1.0);
         section.group("ANALOG");
         section.integer("USED", analog.channels.len() as u16);
         section.float("GEN_SCALE", analog.general_scale as f32);
@@ -199,11 +201,7 @@ impl<'a> StoredAnalog<'a> {
         let per_frame = width * self.analog.samples_per_frame;
         let of_frame = frame * per_frame..(frame + 1) * per_frame;
         for (index, at) in of_frame.enumerate() {
-            let number = match &self.analog.raw {
-                RawSamples::Signed(values) => f64::from(values.get(at).copied().unwrap_or(0)),
-                RawSamples::Unsigned(values) => f64::from(values.get(at).copied().unwrap_or(0)),
-                RawSamples::Float(values) => f64::from(values.get(at).copied().unwrap_or(0.0)),
-            };
+            let number = self.analog.raw.get(at).unwrap_or(0.0);
             match encoding.storage {
                 Storage::Float => out.extend_from_slice(&encoding.processor.f32_bytes(number as f32)),
                 // Unsigned numbers keep their bits.
@@ -216,11 +214,15 @@ impl<'a> StoredAnalog<'a> {
     }
 }
 
+fn is_unsigned(analog: &Analog) -> bool {
+    matches!(analog.raw, RawSamples::Recorded { is_unsigned: true, .. })
+}
+
 /// Returns how a channel is stored whose recorded numbers do not fit into 16 bits as they are.
-fn in_steps(analog: &Analog, values: &[f32], channel: usize) -> StoredChannel {
+fn in_steps(analog: &Analog, channel: usize) -> StoredChannel {
     let (zero, scale) = analog.channels.get(channel).map_or((0.0, 1.0), |known| (known.offset, known.scale));
-    let own = values.iter().skip(channel).step_by(analog.channels.len().max(1));
-    let largest = own.map(|value| (f64::from(*value) - zero).abs()).fold(0.0, f64::max);
+    let own = analog.raw.iter().skip(channel).step_by(analog.channels.len().max(1));
+    let largest = own.map(|number| (number - zero).abs()).fold(0.0, f64::max);
     let step = if largest > 0.0 { largest / INTEGER_RANGE } else { 1.0 };
     StoredChannel { offset: 0.0, scale: scale * step, zero, step }
 }
@@ -229,12 +231,12 @@ fn write_data(out: &mut Vec<u8>, markers: &Markers, analog: &StoredAnalog<'_>, e
     let (step, factor) = steps;
     let processor = encoding.processor;
     // How many of the steps that residuals are counted in make one of ours.
-    let residual_steps = markers.quality.scale * factor as f32 / step;
+    let residual_steps = markers.quality.scale() * factor as f32 / step;
     let frame_count = markers.frame_count();
     for frame in 0..frame_count {
         for marker in 0..markers.count() {
             let position = markers.positions.get(marker, frame);
-            let known = markers.quality.words.get(marker * frame_count + frame).copied().unwrap_or(0);
+            let known = markers.quality.word(marker, frame);
             let word = match position {
                 None => -1,
                 Some(_) if known < 0 => 0,

@@ -1,8 +1,9 @@
 //! [`C3d`] -> the bytes of the same file in another encoding.
 
 use super::compose::{step_for, INTEGER_RANGE, PARAMETER_BLOCK};
-use super::data::word_of;
+
 use super::encoding::{Encoding, Processor, Storage};
+use super::frames::word_of;
 use super::header::{word_at, Header, BLOCK_BYTES, KEY};
 use super::parameters::{Item, Parameter, ParameterType};
 use super::section::Section;
@@ -56,15 +57,15 @@ impl C3d {
         let mut out = self.header_block(&change);
         out.extend_from_slice(&self.section(&change));
         self.write_data(&mut out, &change);
-        let end = self.layout.data_start + self.data().len();
-        if !out.len().is_multiple_of(BLOCK_BYTES) && end < self.bytes.len() {
+        let end = self.layout().data_start + self.data().len();
+        if !out.len().is_multiple_of(BLOCK_BYTES) && end < self.bytes().len() {
             out.resize(out.len().next_multiple_of(BLOCK_BYTES), 0);
         }
         Ok(out)
     }
 
     fn change(&self, encoding: Encoding) -> Change {
-        let layout = &self.layout;
+        let layout = self.layout();
         let mut change = Change { encoding, step: layout.scale, analog: Vec::new(), data_block: 0 };
         if (layout.storage, encoding.storage) != (Storage::Float, Storage::Integer) {
             return change;
@@ -97,8 +98,8 @@ impl C3d {
     /// Calls with every value of a floating-point file: whether it is one of a point, its place in the frame, and it.
     fn each_float(&self, mut call: impl FnMut(bool, usize, f32)) {
         let processor = self.index.processor();
-        for frame in self.data().chunks_exact(self.layout.frame_bytes().max(1)) {
-            let (points, analog) = frame.split_at_checked(self.layout.point_bytes()).unwrap_or_default();
+        for frame in self.data().chunks_exact(self.layout().frame_bytes().max(1)) {
+            let (points, analog) = frame.split_at_checked(self.layout().point_bytes()).unwrap_or_default();
             for (is_point, bytes) in [(true, points), (false, analog)] {
                 let values = bytes.as_chunks::<4>().0.iter().enumerate();
                 values.for_each(|(index, bytes)| call(is_point, index, processor.f32(*bytes)));
@@ -108,7 +109,7 @@ impl C3d {
 
     fn header_block(&self, change: &Change) -> Vec<u8> {
         let (from, to) = (self.index.processor(), change.encoding.processor);
-        let mut out = self.bytes.get(..BLOCK_BYTES).unwrap_or_default().to_vec();
+        let mut out = self.bytes().get(..BLOCK_BYTES).unwrap_or_default().to_vec();
         // What has no meaning, or none here, is words too.
         for word in (13..=152).chain(235..=256) {
             if let Some(place) = out.get_mut(word_at(word)..).and_then(|rest| rest.first_chunk_mut::<2>()) {
@@ -133,7 +134,7 @@ impl C3d {
         let (point, analog) = (id_of("POINT"), id_of("ANALOG"));
         let processor = change.encoding.processor;
         let scale = if change.encoding.storage == Storage::Float { -change.step } else { change.step };
-        for item in self.index.items(&self.bytes) {
+        for item in self.index.items(self.bytes()) {
             let parameter = match item {
                 Item::Group(group) => {
                     section.push_group(&group);
@@ -168,16 +169,16 @@ impl C3d {
 
     fn write_data(&self, out: &mut Vec<u8>, change: &Change) {
         let (from, to) = (self.index.processor(), change.encoding.processor);
-        let scale = self.layout.scale;
+        let scale = self.layout().scale;
         let step = change.step;
-        let channel_count = self.layout.channel_count.max(1);
+        let channel_count = self.layout().channel_count.max(1);
         let is_unsigned = self.is_unsigned();
-        match (self.layout.storage, change.encoding.storage) {
+        match (self.layout().storage, change.encoding.storage) {
             (Storage::Integer, storage) => {
-                for frame in self.data().chunks_exact(self.layout.frame_bytes().max(1)) {
+                for frame in self.data().chunks_exact(self.layout().frame_bytes().max(1)) {
                     let (words, _) = frame.as_chunks::<2>();
                     for (index, bytes) in words.iter().enumerate() {
-                        let is_point = index < 4 * self.layout.point_count;
+                        let is_point = index < 4 * self.layout().point_count;
                         let value = match storage {
                             Storage::Integer => {
                                 out.extend_from_slice(&to.i16_bytes(from.i16(*bytes)));

@@ -116,8 +116,8 @@ fn long_number(parameter: Parameter<'_>) -> Option<i64> {
     }
 }
 
-/// Rates beyond this are damage.
-const HIGHEST_RATE_HZ: f64 = 1e7;
+/// Rates beyond these are damage.
+const RATES_HZ: std::ops::RangeInclusive<f64> = 1e-3..=1e7;
 
 pub(super) fn rate(parameter: Parameter<'_>) -> Option<f64> {
     usable_rate(parameter.number()? as f32)
@@ -128,7 +128,7 @@ pub(super) fn rate(parameter: Parameter<'_>) -> Option<f64> {
 fn usable_rate(rate: f32) -> Option<f64> {
     let exact = f64::from(rate);
     let meant = (exact * 1000.0).round() / 1000.0;
-    (exact > 0.0 && exact <= HIGHEST_RATE_HZ).then_some(if meant as f32 == rate { meant } else { exact })
+    RATES_HZ.contains(&exact).then_some(if meant as f32 == rate { meant } else { exact })
 }
 
 /// Compares header, parameters and the size of the file; also returns what the user should know.

@@ -18,16 +18,7 @@ impl C3d {
     pub fn markers(&self) -> (Markers, Vec<String>) {
         let mut notices = self.notices();
         let layout = self.layout();
-        let trajectories = self.trajectories();
-        if trajectories.odd_word_count > 0 {
-            notices.push(format!(
-                "The words for cameras and residual of {} samples are no such words: the samples are taken as seen",
-                trajectories.odd_word_count
-            ));
-        }
-        if !trajectories.words.is_empty() && trajectories.words.iter().all(|word| *word < 0) {
-            notices.push("All samples of all markers are marked as not seen: there is nothing to show".to_owned());
-        }
+        notices.extend(self.notice_of_words());
         let mut names = self.texts("POINT", "LABELS");
         if names.len() < layout.point_count {
             notices.push(format!(
@@ -38,7 +29,7 @@ impl C3d {
         }
         names.resize(layout.point_count, String::new());
         let kinds = self.kinds(&names);
-        let positions = Positions::of_f32(trajectories.positions, layout.frame_count);
+        let positions = Positions::recorded(self.frames.clone());
         let extents = scale::extents(&positions, &kinds);
         let first_text =
             |name| self.parameter("POINT", name).and_then(|parameter| parameter.texts().into_iter().next());
@@ -49,7 +40,7 @@ impl C3d {
             names,
             kinds,
             positions,
-            quality: Quality { words: trajectories.words, scale: layout.scale },
+            quality: Quality::recorded(self.frames.clone()),
             first_frame: layout.first_frame,
             rate_hz: layout.rate_hz,
             unit,
@@ -64,10 +55,10 @@ impl C3d {
     pub fn analog(&self) -> Analog {
         let layout = self.layout();
         let is_unsigned = self.is_unsigned();
-        let raw = self.raw_samples(is_unsigned);
         // 16 bits with a sign end at 32,767: where samples go beyond, offsets have no sign either (BTS, with an offset of
         // -32,768 and samples of 32,768 in a file that says SIGNED).
-        let is_beyond = || matches!(&raw, RawSamples::Float(values) if values.iter().any(|x| *x > f32::from(i16::MAX)));
+        let raw = RawSamples::Recorded { frames: self.frames.clone(), is_unsigned };
+        let is_beyond = || raw.iter().any(|number| number > f64::from(i16::MAX));
         let offsets = self.numbers("ANALOG", "OFFSET");
         let are_offsets_unsigned = offsets.iter().any(|offset| *offset < 0.0) && (is_unsigned || is_beyond());
         let general = self.parameter("ANALOG", "GEN_SCALE").and_then(|parameter| parameter.number());
@@ -91,6 +82,26 @@ impl C3d {
         }
     }
 
+    /// Returns what is odd in the words for cameras and residual, looking at some frames.
+    fn notice_of_words(&self) -> Option<String> {
+        const LOOKS: usize = 4;
+        let frames = &self.frames;
+        let (point_count, frame_count) = (frames.point_count(), frames.frame_count());
+        let places = |step| {
+            let frames = (0..frame_count).step_by(step);
+            frames.flat_map(|frame| (0..point_count).map(move |point| (point, frame)))
+        };
+        let step = frame_count.div_ceil(LOOKS).max(1);
+        let is_seen = |(point, frame)| frames.position(point, frame).is_some();
+        if places(step).any(|(point, frame)| frames.has_odd_word(point, frame)) {
+            let what = "The file has other numbers where cameras and residuals should be";
+            return Some(format!("{what}: all samples but those with a negative number are taken as seen"));
+        }
+        let is_nothing_seen = places(1).next().is_some() && !places(step).any(is_seen) && !places(1).any(is_seen);
+        let nothing = "All samples of all markers are marked as not seen: there is nothing to show";
+        is_nothing_seen.then(|| nothing.to_owned())
+    }
+
     /// Returns whether integer samples of analog channels have no sign.
     pub(super) fn is_unsigned(&self) -> bool {
         let format = self.parameter("ANALOG", "FORMAT");
@@ -103,6 +114,9 @@ impl C3d {
         let mut known: HashMap<String, PointKind> = HashMap::new();
         for (parameter, kind) in KINDS {
             known.extend(self.texts("POINT", parameter).into_iter().map(|name| (name, kind)));
+        }
+        if known.is_empty() {
+            return vec![PointKind::Position; names.len()];
         }
         let kind_of = |name: &String| known.get(name).copied().unwrap_or_default();
         names.iter().map(kind_of).collect()

@@ -9,10 +9,10 @@
 //! little more than looking at every number once; [`C3d::markers`] makes plain data of it.
 
 mod compose;
-mod data;
 mod encode;
 mod encoding;
 mod events;
+mod frames;
 mod header;
 mod layout;
 mod markers;
@@ -20,9 +20,11 @@ mod parameters;
 mod section;
 #[cfg(test)]
 mod tests;
+mod turn;
 mod vax;
 
 pub use encoding::{Encoding, Processor, Storage};
+pub use frames::Frames;
 pub use header::{Header, HeaderEvent};
 pub use layout::Layout;
 pub use parameters::{Group, Parameter, ParameterType};
@@ -32,6 +34,7 @@ use crate::error::ParseError;
 use crate::formats::kind::{recognise, Kind};
 use header::{BLOCK_BYTES, KEY};
 use parameters::Index;
+use std::sync::Arc;
 
 /// Where the parameter section is where the file does not say.
 const USUAL_PARAMETER_BLOCK: u8 = 2;
@@ -39,10 +42,9 @@ const USUAL_PARAMETER_BLOCK: u8 = 2;
 /// What a C3D file says, in its own units and order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct C3d {
-    bytes: Vec<u8>,
+    frames: Frames,
     header: Header,
     index: Index,
-    layout: Layout,
     notices: Vec<String>,
 }
 
@@ -62,7 +64,7 @@ impl C3d {
         let limit = if data_start > start { data_start } else { bytes.len() };
         let index = Index::parse(&bytes, start, limit)?;
         let (layout, notices) = layout::decide(&bytes, &header, &index);
-        Ok(Self { bytes, header, index, layout, notices })
+        Ok(Self { frames: Frames { bytes: Arc::new(bytes), layout, processor }, header, index, notices })
     }
 
     /// Returns the header.
@@ -72,39 +74,41 @@ impl C3d {
 
     /// Returns what lies where in the data, after header, parameters and the size of the file were compared.
     pub fn layout(&self) -> &Layout {
-        &self.layout
+        &self.frames.layout
     }
 
     /// Returns how the file is written.
     pub fn encoding(&self) -> Encoding {
-        Encoding { processor: self.index.processor(), storage: self.layout.storage }
+        Encoding { processor: self.index.processor(), storage: self.frames.layout.storage }
     }
 
     /// Returns the groups in file order.
     pub fn groups(&self) -> impl Iterator<Item = Group<'_>> {
-        self.index.groups(&self.bytes)
+        self.index.groups(self.bytes())
     }
 
     /// Returns the parameters in file order.
     pub fn parameters(&self) -> impl Iterator<Item = Parameter<'_>> {
-        self.index.parameters(&self.bytes)
+        self.index.parameters(self.bytes())
     }
 
     /// Returns a parameter by its group and name; letters match in either case, the first one counts.
     pub fn parameter(&self, group: &str, name: &str) -> Option<Parameter<'_>> {
-        self.index.find(&self.bytes, group, name)
+        self.index.find(self.bytes(), group, name)
     }
 
     /// Returns the bytes of the declared frames.
     pub fn data(&self) -> &[u8] {
-        let start = self.layout.data_start;
-        let length = self.layout.frame_count * self.layout.frame_bytes();
-        self.bytes.get(start..start + length).unwrap_or_default()
+        self.frames.data()
+    }
+
+    fn bytes(&self) -> &[u8] {
+        &self.frames.bytes
     }
 
     /// Returns the file as it was read.
     pub fn to_bytes(&self) -> Vec<u8> {
-        self.bytes.clone()
+        self.bytes().to_vec()
     }
 
     /// Returns what is odd in the file and what was done about it, a sentence each.
@@ -123,7 +127,9 @@ impl C3d {
     }
 
     fn series<'a>(&'a self, group: &'a str, name: &'a str) -> impl Iterator<Item = Parameter<'a>> {
-        let more = (2..).map_while(move |number| self.parameter(group, &format!("{name}{number}")));
+        // More than there can be points or channels is damage.
+        const MOST: usize = u16::MAX as usize / u8::MAX as usize + 1;
+        let more = (2..=MOST).map_while(move |number| self.parameter(group, &format!("{name}{number}")));
         let first = self.parameter(group, name);
         let is_full = first.and_then(|first| first.dimensions.last().copied()) == Some(u8::MAX);
         first.into_iter().chain(more.take(if is_full { usize::MAX } else { 0 }))
@@ -145,5 +151,13 @@ fn parameter_start(bytes: &[u8]) -> Result<usize, ParseError> {
         return Err(error_at(1, format_args!("{}, with {KEY:#04x} in its second byte", Kind::C3d), found));
     };
     let block = if block == 0 { USUAL_PARAMETER_BLOCK } else { block };
-    Ok((usize::from(block) - 1) * BLOCK_BYTES)
+    let start = (usize::from(block) - 1) * BLOCK_BYTES;
+    // Others have that byte too, pictures (PNG) among them.
+    if let Some(kind @ Kind::Foreign(_)) = recognise(bytes) {
+        let is_processor = bytes.get(start + 3).is_some_and(|number| Processor::of_number(*number).is_some());
+        if !is_processor {
+            return Err(error_at(0, Kind::C3d, kind));
+        }
+    }
+    Ok(start)
 }

@@ -166,6 +166,27 @@ struct Entry {
     description: Range<usize>,
 }
 
+impl Entry {
+    fn item<'a>(&self, source: &'a [u8], processor: Processor) -> Item<'a> {
+        let group = self.id.unsigned_abs();
+        let (name, description) = (part(source, &self.name), part(source, &self.description));
+        let is_locked = self.is_locked;
+        match &self.content {
+            None => Item::Group(Group { id: group, name, is_locked, description }),
+            Some((kind, dimensions, values)) => Item::Parameter(Parameter {
+                group,
+                name,
+                is_locked,
+                kind: *kind,
+                dimensions: part(source, dimensions),
+                bytes: part(source, values),
+                description,
+                processor,
+            }),
+        }
+    }
+}
+
 impl Index {
     /// Reads the section at byte `start` that at most reaches to byte `limit`.
     pub(super) fn parse(source: &[u8], start: usize, limit: usize) -> Result<Self, ParseError> {
@@ -218,24 +239,7 @@ impl Index {
 
     /// Returns groups and parameters in file order.
     pub(super) fn items<'a>(&'a self, source: &'a [u8]) -> impl Iterator<Item = Item<'a>> + use<'a> {
-        self.entries.iter().map(|entry| {
-            let group = entry.id.unsigned_abs();
-            let (name, description) = (part(source, &entry.name), part(source, &entry.description));
-            let is_locked = entry.is_locked;
-            match &entry.content {
-                None => Item::Group(Group { id: group, name, is_locked, description }),
-                Some((kind, dimensions, values)) => Item::Parameter(Parameter {
-                    group,
-                    name,
-                    is_locked,
-                    kind: *kind,
-                    dimensions: part(source, dimensions),
-                    bytes: part(source, values),
-                    description,
-                    processor: self.processor,
-                }),
-            }
-        })
+        self.entries.iter().map(|entry| entry.item(source, self.processor))
     }
 
     pub(super) fn groups<'a>(&'a self, source: &'a [u8]) -> impl Iterator<Item = Group<'a>> + use<'a> {
@@ -248,9 +252,17 @@ impl Index {
 
     /// Returns the first parameter of that name; letters match in either case.
     pub(super) fn find<'a>(&'a self, source: &'a [u8], group: &str, name: &str) -> Option<Parameter<'a>> {
-        let is = |found: &[u8], wanted: &str| found.eq_ignore_ascii_case(wanted.as_bytes());
-        let group = self.groups(source).find(|known| is(known.name, group))?.id;
-        self.parameters(source).find(|parameter| parameter.group == group && is(parameter.name, name))
+        // Lengths first: nearly all others differ there already.
+        let is = |found: &Range<usize>, wanted: &str| {
+            found.len() == wanted.len() && part(source, found).eq_ignore_ascii_case(wanted.as_bytes())
+        };
+        let group = self.entries.iter().find(|entry| entry.id < 0 && is(&entry.name, group))?.id.unsigned_abs();
+        let is_own = |entry: &&Entry| entry.id >= 0 && entry.id.unsigned_abs() == group;
+        let own = self.entries.iter().find(|entry| is_own(entry) && is(&entry.name, name))?;
+        match own.item(source, self.processor) {
+            Item::Parameter(parameter) => Some(parameter),
+            Item::Group(_) => None,
+        }
     }
 }
 

@@ -30,7 +30,7 @@ impl Section {
     }
 
     pub(super) fn push_group(&mut self, group: &Group<'_>) {
-        self.entry(-(group.id as i8), group.name, group.is_locked, group.description, &[]);
+        self.entry((group.id as i8).wrapping_neg(), group.name, group.is_locked, group.description, &[]);
     }
 
     pub(super) fn push(&mut self, parameter: &Parameter<'_>) {

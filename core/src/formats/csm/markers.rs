@@ -1,7 +1,7 @@
 //! [`Csm`] <-> [`Markers`].
 
 use super::Csm;
-use crate::formats::fields::{turned, writable_names};
+use crate::formats::fields::{turned, writable_names, written};
 use crate::markers::{scale, Analog, Markers, PointKind, Positions, Quality};
 use glam::{DQuat, DVec3};
 
@@ -38,11 +38,11 @@ impl Csm {
         let is_turned = markers.up.axis != DVec3::Z;
         // Already in millimetres, numbers stay as they are.
         let factor = if markers.unit.metres == 1.0 / PER_METRE { 1.0 } else { markers.unit.metres * PER_METRE };
-        let place = |marker: usize, frame: usize| match markers.positions.get(marker, frame) {
-            Some(at) if is_turned => (turn * at * factor).to_array(),
-            Some(at) => (at * factor).to_array(),
-            None => [f64::NAN; 3],
+        let place = |marker: usize, frame: usize| {
+            let at = markers.positions.get(marker, frame)?;
+            Some(if is_turned { turn * at * factor } else { at * factor })
         };
+        let place = |marker: usize, frame: usize| written(place(marker, frame));
         let frames = 0..markers.frame_count();
         Self {
             texts: Vec::new(),

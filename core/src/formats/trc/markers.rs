@@ -1,7 +1,7 @@
 //! [`Trc`] <-> [`Markers`].
 
 use super::Trc;
-use crate::formats::fields::{turned, writable_names};
+use crate::formats::fields::{turned, writable_names, written};
 use crate::markers::{scale, Analog, Markers, PointKind, Positions, Quality};
 
 impl Trc {
@@ -47,10 +47,7 @@ impl Trc {
             ("OrigDataStartFrame", markers.first_frame.to_string()),
             ("OrigNumFrames", frame_count.to_string()),
         ];
-        let place = |marker: usize, frame: usize| {
-            let at = markers.positions.get(marker, frame);
-            at.map_or([f64::NAN; 3], |at| (at * factor).to_array())
-        };
+        let place = |marker: usize, frame: usize| written(markers.positions.get(marker, frame).map(|at| at * factor));
         let values = (0..frame_count).flat_map(|frame| chosen.iter().flat_map(move |marker| place(*marker, frame)));
         Self {
             path_file_type: ["PathFileType", "4", "(X/Y/Z)", name].map(str::to_owned).to_vec(),

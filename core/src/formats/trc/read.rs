@@ -5,7 +5,7 @@ use crate::error::ParseError;
 use crate::formats::fields::{cells, words};
 use crate::formats::kind::{self, Kind};
 use crate::number::read;
-use crate::text::{Lines, Word, Words, LARGEST};
+use crate::text::{error_at, Lines, Word, Words, LARGEST};
 
 /// The cells of a row before its first marker: number and time.
 const LEADING_CELLS: usize = 2;
@@ -31,7 +31,7 @@ pub(super) fn parse(source: &[u8]) -> Result<Trc, ParseError> {
     while let Some(line) = lines.next_line() {
         table.read_row(&line)?;
     }
-    let mut trc = table.finish();
+    let mut trc = table.finish()?;
     let count = trc.values.len().checked_div(trc.frame_numbers.len()).map_or(names.len(), |width| width / 3);
     trc.names = names;
     trc.names.resize(count, String::new());
@@ -115,8 +115,16 @@ impl Table<'_> {
         Ok(())
     }
 
-    /// Fills all rows up to the same width with gaps, and makes a marker a gap where one of its coordinates is.
-    fn finish(mut self) -> Trc {
+    /// Fills all rows up to the same width with gaps.
+    fn finish(mut self) -> Result<Trc, ParseError> {
+        // Each value that a file shows takes two bytes, each gap a tab: a table many times as large is damage.
+        const MOST_PER_BYTE: usize = 4;
+        const ALWAYS: usize = 1 << 16;
+        let size = self.rows.len().saturating_mul(self.width);
+        if size > self.source.len().saturating_mul(MOST_PER_BYTE).max(ALWAYS) {
+            let found = format_args!("{} rows of which one has {}", self.rows.len(), self.width).to_string();
+            return Err(error_at(self.source, self.source.len(), "rows of about as many coordinates", found));
+        }
         if self.rows.iter().any(|width| *width != self.width) {
             let values = std::mem::take(&mut self.trc.values);
             let mut rest = values.as_slice();
@@ -127,7 +135,7 @@ impl Table<'_> {
                 self.trc.values.extend(std::iter::repeat_n(f64::NAN, self.width - row.len()));
             }
         }
-        self.trc
+        Ok(self.trc)
     }
 }
 
