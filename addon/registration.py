@@ -5,13 +5,25 @@ from __future__ import annotations
 import bpy
 
 from . import preferences, properties
-from .operators import add_track, edits, entries, export_motion, import_motion_capture, import_skeleton, sources
+from .markers import properties as marker_properties
+from .operators import (
+    add_track,
+    edits,
+    entries,
+    export_motion,
+    import_markers,
+    import_motion_capture,
+    import_skeleton,
+    marker_edits,
+    sources,
+)
 from .operators import filter as filter_operator
-from .panels import combine, entry, files, filters, stack
+from .panels import combine, entry, files, filters, markers, stack
 
 # What a class refers to comes before it: an entry before the stack, a panel before its sub-panels.
 CLASSES = (
     *properties.CLASSES,
+    *marker_properties.CLASSES,
     *preferences.CLASSES,
     *import_skeleton.CLASSES,
     *add_track.CLASSES,
@@ -21,10 +33,13 @@ CLASSES = (
     *entries.CLASSES,
     *edits.CLASSES,
     *sources.CLASSES,
+    *import_markers.CLASSES,
+    *marker_edits.CLASSES,
     *stack.CLASSES,
     *entry.CLASSES,
     *combine.CLASSES,
     *filters.CLASSES,
+    *markers.CLASSES,
     *files.CLASSES,
 )
 MENUS = (
@@ -38,6 +53,7 @@ def register() -> None:
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     properties.register_pointers()
+    marker_properties.register_pointers()
     for menu, draw in MENUS:
         menu.append(draw)
 
@@ -46,6 +62,7 @@ def unregister() -> None:
     """Take everything back, last first."""
     for menu, draw in reversed(MENUS):
         menu.remove(draw)
+    marker_properties.unregister_pointers()
     properties.unregister_pointers()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

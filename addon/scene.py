@@ -11,9 +11,9 @@ import bpy
 from .logic import ranges, rates
 
 if TYPE_CHECKING:
-    from bpy.types import Context, Scene
+    from bpy.types import Context, Object, Scene
 
-CREATED_KINDS = ("objects", "armatures", "actions")  # in the order in which users go before what they use
+CREATED_KINDS = ("objects", "armatures", "meshes", "actions")  # in the order in which users go before what they use
 
 
 def rate_hz(scene: Scene) -> float:
@@ -36,6 +36,23 @@ def _set_range(scene: Scene, start: int, end: int) -> None:
     if (scene.frame_start, scene.frame_end) != (start, end):
         scene.frame_end = end
         scene.frame_start = start
+
+
+def add_as_active(context: Context, ob: Object) -> None:
+    """Put a new object into the active collection, or the scene's own where the active one cannot show it.
+
+    It is then the only one selected, and active, in Object Mode.
+    """
+    if context.view_layer.objects.active is not None and context.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    context.collection.objects.link(ob)
+    if not ob.visible_get(view_layer=context.view_layer):
+        context.collection.objects.unlink(ob)
+        context.scene.collection.objects.link(ob)
+    for other in context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    context.view_layer.objects.active = ob
 
 
 @contextmanager

@@ -19,6 +19,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
+from .. import scene
 from ..logic import axes
 
 if TYPE_CHECKING:
@@ -65,12 +66,7 @@ def build_armature(
     layout = _layout(skeleton, scale=scale, to_blender=to_blender, bone_style=bone_style)
     armature = bpy.data.armatures.new(name)
     ob = bpy.data.objects.new(name, armature)
-    _leave_mode(context)
-    _link(context, ob)
-    for other in context.selected_objects:
-        other.select_set(False)
-    ob.select_set(True)
-    context.view_layer.objects.active = ob
+    scene.add_as_active(context, ob)
     bpy.ops.object.mode_set(mode="EDIT")
     try:
         bone_names = _add_bones(armature, skeleton, layout, may_connect=bone_style == "POINT")
@@ -83,20 +79,6 @@ def build_armature(
         if limits_as_constraints and bone_style == "AXES":
             _add_limits(bone, skeleton.dofs[number], skeleton.limits[number])
     return ob, bone_names
-
-
-def _leave_mode(context: Context) -> None:
-    """Go to Object Mode if some object is being edited or posed."""
-    if context.view_layer.objects.active is not None and context.mode != "OBJECT":
-        bpy.ops.object.mode_set(mode="OBJECT")
-
-
-def _link(context: Context, ob: Object) -> None:
-    """Put the object into the active collection, or the scene's own where the active one cannot show it."""
-    context.collection.objects.link(ob)
-    if not ob.visible_get(view_layer=context.view_layer):
-        context.collection.objects.unlink(ob)
-        context.scene.collection.objects.link(ob)
 
 
 def _layout(skeleton: motion_theater.Skeleton, *, scale: float, to_blender: Floats, bone_style: str) -> Layout:

@@ -56,7 +56,10 @@ fn values(c3d: &C3d) -> (Vec<Option<[u32; 3]>>, Vec<Vec<u64>>) {
     (positions.collect(), analog.collect())
 }
 
-fn parameters(c3d: &C3d) -> Vec<(u8, Vec<u8>, bool, Vec<u8>, Vec<f64>, Vec<String>, Vec<u8>)> {
+/// Group, name, lock, dimensions, numbers, texts and description.
+type Parameter = (u8, Vec<u8>, bool, Vec<u8>, Vec<f64>, Vec<String>, Vec<u8>);
+
+fn parameters(c3d: &C3d) -> Vec<Parameter> {
     let is_changed = |name: &[u8]| matches!(name, b"SCALE" | b"DATA_START");
     let kept = c3d.parameters().filter(|parameter| !is_changed(parameter.name));
     let owned = kept.map(|p| {

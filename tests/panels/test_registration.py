@@ -21,7 +21,8 @@ native, registration = module("native"), module("registration")
 
 def registered() -> set[str]:
     """Return the names of all our classes that Blender knows."""
-    return {name for name in dir(bpy.types) if name.startswith(("MOTION_THEATER_", "MotionEntry", "MotionStack"))}
+    ours = ("MOTION_THEATER_", "MotionEntry", "MotionStack", "MarkerSet")
+    return {name for name in dir(bpy.types) if name.startswith(ours)}
 
 
 def handlers() -> int:
@@ -42,6 +43,7 @@ def test_unregister_mirrors_register() -> None:
     try:
         assert not registered()
         assert not hasattr(bpy.types.Object, "motion_theater")
+        assert not hasattr(bpy.types.Object, "motion_theater_markers")
         assert not hasattr(bpy.types.WindowManager, "motion_theater")
         assert len(menu_entries()) == len(entries) - len(registration.MENUS)
     finally:
@@ -60,7 +62,7 @@ def test_registering_twice_in_turn_leaves_one_of_each() -> None:
 
 def test_every_operator_can_be_undone_and_explains_itself() -> None:
     operators = [cls for cls in registration.CLASSES if issubclass(cls, bpy.types.Operator)]
-    assert len(operators) == 16
+    assert len(operators) == 22
     for cls in operators:
         rna = getattr(bpy.ops.motion_theater, cls.bl_idname.removeprefix("motion_theater.")).get_rna_type()
         writes_files_only = issubclass(cls, ExportHelper)
