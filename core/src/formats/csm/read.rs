@@ -25,6 +25,8 @@ pub(super) fn parse(source: &[u8]) -> Result<Csm, ParseError> {
         };
         let rest: Vec<Word<'_>> = line_words.collect();
         match name.to_ascii_lowercase().as_slice() {
+            b"order" if has_order => return Err(keyword.problem("`$order` once", "a second one")),
+            b"points" if has_points => return Err(keyword.problem("`$points` once", "a second one")),
             b"order" => {
                 has_order = true;
                 reader.read_order(&rest);

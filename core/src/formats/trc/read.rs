@@ -108,6 +108,11 @@ impl Table<'_> {
             self.trc.values.extend(std::iter::repeat_n(f64::NAN, missing));
             count += missing;
         }
+        // Gaps at the end are what shorter rows have too.
+        while count >= 3 && ends_with_gap(&self.trc.values) {
+            self.trc.values.truncate(self.trc.values.len() - 3);
+            count -= 3;
+        }
         self.rows.push(count);
         self.width = self.width.max(count);
         self.trc.frame_numbers.push(number);
@@ -137,6 +142,10 @@ impl Table<'_> {
         }
         Ok(self.trc)
     }
+}
+
+fn ends_with_gap(values: &[f64]) -> bool {
+    values.last_chunk::<3>().is_some_and(|place| place.iter().all(|x| x.is_nan()))
 }
 
 fn coordinate(cell: &Word<'_>) -> Result<f64, ParseError> {
