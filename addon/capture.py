@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 import motion_theater
 
-from . import scene, skeletons, sources, stack, tracks
+from . import markers, scene, skeletons, sources, stack, tracks
 from .logic import batch
-from .logic.messages import UserError, base_name, explained, sentences
+from .logic.messages import base_name, explained, sentences
 
 if TYPE_CHECKING:
     from bpy.types import Context, Object
@@ -136,12 +136,8 @@ class Batch:
         return self.active if self.options.target == "AUTO" and is_alone else None
 
     def _markers(self, context: Context, job: batch.Job) -> str:
-        try:
-            from .markers import import_markers
-        except ImportError as error:
-            raise UserError(f"{base_name(job.path)}: this version does not import marker files") from error
         clip = sources.read_file(job.path).clip
-        return import_markers(context, clip, **self.options.of_markers)
+        return markers.import_markers(context, clip, **self.options.of_markers)
 
 
 def _format_of(path: str) -> str:

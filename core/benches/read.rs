@@ -33,7 +33,7 @@ fn main() {
         Some((file, _)) if file.extension().is_some_and(|extension| extension == "bvh") => measure_bvh(&file),
         Some((file, skeleton)) => measure_amc(&file, skeleton.as_deref()),
         None => {
-            println!("Nothing to measure: name a BVH, or a motion (.amc) and, for its conversion, a skeleton (.asf)")
+            println!("Nothing to measure: name a BVH, or a motion (.amc) and, for its conversion, a skeleton (.asf)");
         }
     }
 }

@@ -234,17 +234,17 @@ def test_markers_written_as_a_new_c3d_are_the_same(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", EVERY_FILE)
-@pytest.mark.parametrize("format", ["csm", "trc"])
-def test_markers_written_as_text_are_where_they_were(name: str, format: str) -> None:
+@pytest.mark.parametrize("extension", ["csm", "trc"])
+def test_markers_written_as_text_are_where_they_were(name: str, extension: str) -> None:
     _, markers = read(name)
-    found = mt.read_bytes(markers.to_bytes(format), name=f"new.{format}").markers
+    found = mt.read_bytes(markers.to_bytes(extension), name=f"new.{extension}").markers
     assert found is not None
     chosen = [index for index, kind in enumerate(markers.kinds) if kind == "POSITION"]
     own = markers.positions[chosen].astype(np.float64) * markers.unit_m
     if not own.size:
         return
     others = found.positions * found.unit_m
-    if format == "csm":
+    if extension == "csm":
         up = np.array(markers.up)
         # The heights, whatever was turned about the vertical.
         own, others = own @ up, others[..., 2]
