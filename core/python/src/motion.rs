@@ -83,8 +83,7 @@ impl PyMotion {
         let mut bones = Vec::with_capacity(count);
         for ((bone, rotations), translations) in skeleton.0.bones.iter().zip(rotations).zip(translations) {
             let turned = rotations.map(|rows| read_quaternions("rotations", &rows)).transpose()?.unwrap_or_default();
-            let moved =
-                translations.map(|rows| read_vectors("translations", &rows)).transpose()?.unwrap_or_default();
+            let moved = translations.map(|rows| read_vectors("translations", &rows)).transpose()?.unwrap_or_default();
             if [turned.len(), moved.len()].into_iter().any(|rows| rows != 0 && rows != frames) {
                 let text = format!("{}: expected {frames} frames, found {}", bone.name, turned.len().max(moved.len()));
                 return Err(PyValueError::new_err(text));
