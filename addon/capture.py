@@ -5,7 +5,7 @@ from __future__ import annotations
 import traceback
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import motion_theater
 
@@ -41,7 +41,7 @@ class Options:
         return {name: getattr(self, name) for name in ("scale", "up", "forward", "bone_style")}
 
     @property
-    def of_markers(self) -> dict[str, object]:
+    def of_markers(self) -> dict[str, Any]:
         """The part that `markers.import_markers` takes."""
         names = ("scale", "up", "rate", "rate_hz", "scene_range", "with_lines", "with_events", "with_analog")
         return {name: getattr(self, name) for name in names}

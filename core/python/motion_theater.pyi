@@ -110,9 +110,9 @@ class Skeleton:
         axes: Floats | None = None,
         orders: Sequence[str] | None = None,
         dofs: Sequence[Sequence[str]] | None = None,
-        up: tuple[float, float, float] = (0.0, 1.0, 0.0),
+        up: tuple[float, float, float] = ...,
         unit_m: float = 0.01,
-        name: str = "",
+        name: str = ...,
     ) -> Skeleton:
         """A skeleton of one's own. Arrays are as in the attributes of these names; `axes` are the file's where they are
         not given, `orders` "XYZ"."""
@@ -191,8 +191,8 @@ class AnalogChannel:
 class Markers:
     """Named points over frames, in the file's own axes and units."""
 
-    def __init__(
-        self,
+    def __new__(
+        cls,
         names: Sequence[str],
         positions: Floats,
         *,
@@ -201,7 +201,7 @@ class Markers:
         unit_m: float = 1.0,
         up: tuple[float, float, float] = (0.0, 0.0, 1.0),
         events: Sequence[tuple[str, float]] = ...,
-    ) -> None:
+    ) -> Markers:
         """`positions` is (markers, frames, 3), NaN in gaps; `events` are labels with their time in seconds, 0 being
         frame 1."""
     names: list[str]
