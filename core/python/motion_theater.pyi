@@ -199,7 +199,7 @@ class Markers:
         rate_hz: float | None = None,
         first_frame: int = 1,
         unit_m: float = 1.0,
-        up: tuple[float, float, float] = (0.0, 0.0, 1.0),
+        up: tuple[float, float, float] = ...,
         events: Sequence[tuple[str, float]] = ...,
     ) -> Markers:
         """`positions` is (markers, frames, 3), NaN in gaps; `events` are labels with their time in seconds, 0 being
