@@ -7,7 +7,7 @@ import platform
 import sys
 from typing import TextIO
 
-from tests.bench import editing, filters_vs_scipy, importing, reading
+from tests.bench import editing, filters_vs_scipy, importing, reading, reading_c3d
 
 
 def main() -> None:
@@ -19,7 +19,7 @@ def main() -> None:
     )
     print(f"{'what':66} {'ratio':>7} {'target':>9}", file=table)
     missed = 0
-    for part in (reading, importing, editing, filters_vs_scipy):
+    for part in (reading, reading_c3d, importing, editing, filters_vs_scipy):
         for row in part.measure():
             bound = f"{'<=' if row.at_most else '>='} {row.target:g}"
             mark = "" if row.is_met else "  MISSED"

@@ -5,7 +5,7 @@ use crate::error::ParseError;
 use crate::formats::fields::words;
 use crate::formats::kind::{self, Kind};
 use crate::number::read_prefix;
-use crate::text::{is_blank, Lines, Word, Words, LARGEST};
+use crate::text::{decode, is_blank, Lines, Word, Words, LARGEST};
 
 /// The word in place of the coordinates of a marker that was not seen.
 pub(super) const DROPOUT: &str = "DROPOUT";
@@ -113,7 +113,12 @@ impl<'a> Reader<'a> {
     fn text(&mut self, line: &Words<'a>, keyword: &Word<'a>) -> String {
         let end = line.at() + line.raw().len();
         let from = keyword.at + keyword.bytes.len();
-        let trimmed = |bytes: &[u8]| crate::text::decode(bytes.trim_ascii());
+        let trimmed = |bytes: &'a [u8]| {
+            let is_text = |byte: &u8| !is_blank(*byte);
+            let start = bytes.iter().position(is_text).unwrap_or(bytes.len());
+            let end = bytes.iter().rposition(is_text).map_or(start, |last| last + 1);
+            decode(bytes.get(start..end).unwrap_or_default())
+        };
         let mut lines = vec![trimmed(self.source.get(from..end).unwrap_or_default())];
         while let Some(line) = self.next_of_section() {
             lines.push(trimmed(line.raw()));

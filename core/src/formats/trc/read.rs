@@ -15,7 +15,11 @@ pub(super) fn parse(source: &[u8]) -> Result<Trc, ParseError> {
     let mut lines = Lines::new(source);
     let texts = |line: &Words<'_>| without_empty_end(cells(source, line).map(|cell| cell.text()).collect());
     let mut head = |what: &str| lines.next_line().ok_or_else(|| lines.clone().ended(what));
-    let path_file_type = texts(&head("a line that begins with `PathFileType`")?);
+    let mut path_file_type = texts(&head("a line that begins with `PathFileType`")?);
+    if let Some(first) = path_file_type.first_mut() {
+        // A second byte-order mark would be the first one of the file written anew.
+        *first = first.trim_start_matches('\u{feff}').to_owned();
+    }
     let keys = texts(&head("the keys of the head, from `DataRate` on")?);
     let mut values = texts(&head("the values of the head")?).into_iter();
     let names_line = head("a line that begins with `Frame#`")?;
