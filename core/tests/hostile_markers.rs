@@ -6,7 +6,9 @@ use motion_theater_core::filter::{Depth, FilterKind};
 use motion_theater_core::formats::c3d::{C3d, Encoding, Processor, Storage};
 use motion_theater_core::formats::{csm::Csm, trc::Trc};
 use motion_theater_core::gaps::{self, Fill};
+use motion_theater_core::markers::PointKind;
 use motion_theater_core::{Markers, ParseError, Position};
+use std::path::Path;
 
 const CSM: &str = "$FileName small.csm\r\n$COMMENTS\r\ntwo\r\nlines\r\n$firstframe 7\r\n$LastFrame\r\n9\r\n$rate 119.88\r\n\
     $Order\r\nHead #1\r\nC7\r\n$points\r\n7  1 2 3  4 5 6  7 8 9\r\n8  DROPOUT  -1e-3 .5 6.  dropout\r\n9  1 2 3  4 5 6  7 8 9";
@@ -159,6 +161,51 @@ fn a_csm_or_trc_cut_at_any_byte_is_refused_or_keeps_its_whole_frames() {
     for length in 0..=TRC.len() {
         let frame_count = read_trc(&TRC[..length]).map_or(0, |trc| trc.frame_numbers.len());
         assert!(frame_count <= 3 && (length < TRC.len() || frame_count == 3));
+    }
+}
+
+#[test]
+fn files_that_the_fuzzer_starts_from_are_read_and_used() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus");
+    let mut count = 0;
+    for extension in ["c3d", "csm", "trc"] {
+        for entry in std::fs::read_dir(folder.join(extension)).unwrap() {
+            let path = entry.unwrap().path();
+            // What the fuzzer adds has no extension.
+            if path.extension().is_none() {
+                continue;
+            }
+            let source = std::fs::read(&path).unwrap();
+            let text = String::from_utf8_lossy(&source);
+            let result = match extension {
+                "c3d" => read_c3d(&source).map(drop),
+                "csm" => read_csm(&text).map(drop),
+                _ => read_trc(&text).map(drop),
+            };
+            assert!(result.is_ok(), "{}: {result:?}", path.display());
+            count += 1;
+        }
+    }
+    assert!(count >= 12, "{count}");
+}
+
+#[test]
+fn a_c3d_of_every_encoding_says_the_same() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus/c3d");
+    for name in ["intel_integer", "intel_float", "dec_integer", "dec_float", "mips_integer", "mips_float"] {
+        let c3d = C3d::parse(std::fs::read(folder.join(name).with_extension("c3d")).unwrap()).unwrap();
+        let (markers, _) = c3d.markers();
+        assert_eq!((markers.names.as_slice(), markers.first_frame), (["HEAD", "C7"].map(str::to_owned).as_slice(), 7));
+        assert_eq!((markers.frame_count(), markers.rate_hz), (3, Some(59.94)), "{name}");
+        assert_eq!(markers.kinds, [PointKind::Position, PointKind::Angle]);
+        let places = [markers.positions.get(0, 0), markers.positions.get(0, 1), markers.positions.get(1, 2)];
+        assert_eq!(places, [Some(DVec3::new(0.0, 10.0, 0.0)), None, Some(DVec3::new(10.5, 10.0, 15.0))], "{name}");
+        assert_eq!((markers.quality.residuals()[0], markers.quality.cameras()[0]), (2.5, 3), "{name}");
+        assert_eq!(markers.analog.samples(0), [0.0, 0.5, 0.25, 0.75, 0.5, 1.0], "{name}");
+        assert_eq!(markers.analog.samples(1)[0], -50.5, "{name}");
+        let event = (markers.events[0].label.as_str(), markers.events[0].time_s as f32);
+        assert_eq!((event, markers.events.len()), (("STEP", 0.1), 1), "{name}");
+        assert_eq!(c3d.header().events[0].label, "HIT", "{name}");
     }
 }
 

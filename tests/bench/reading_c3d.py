@@ -6,6 +6,7 @@ import importlib
 import importlib.util
 import subprocess
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import motion_theater as mt
@@ -49,7 +50,7 @@ def _against_ezc3d(files: list[Path]) -> Iterator[Row]:
             ezc3d.c3d(str(path))
         except (RuntimeError, ValueError, TypeError, OSError):
             continue
-        ours_s, theirs_s = medians_s(lambda path=path: read_everything(path), lambda path=path: ezc3d.c3d(str(path)))
+        ours_s, theirs_s = medians_s(partial(read_everything, path), partial(ezc3d.c3d, str(path)))
         ratios[path] = theirs_s / ours_s, f"{ms(ours_s)}, {ms(theirs_s)}"
     worst = min(ratios, key=lambda path: ratios[path][0])
     ratio, detail = ratios[worst]
