@@ -13,8 +13,8 @@ impl Csm {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Vec::with_capacity(TYPICAL_VALUE_BYTES * self.values.len());
         for (name, value) in &self.texts {
-            let separator = if value.contains('\n') { "\n" } else { " " };
-            line(&mut out, format_args!("${name}{separator}{value}"));
+            // On one line with the name, for a value may begin with a dollar sign.
+            line(&mut out, format_args!("${name} {value}"));
         }
         for (name, number) in [("FirstFrame", self.first_frame), ("LastFrame", self.last_frame)] {
             if let Some(number) = number {
