@@ -36,7 +36,9 @@ pub(crate) fn extents(positions: &Positions, kinds: &[PointKind]) -> Option<Exte
     let each = |of: fn(&(DVec3, DVec3)) -> DVec3| medians(&frames, of);
     let (low, high) = (each(|frame| frame.0), each(|frame| frame.1));
     let size = each(|(low, high)| *high - *low);
-    frames.iter_mut().for_each(|frame| frame.0 = (frame.0 - low).abs());
+    for frame in &mut frames {
+        frame.0 = (frame.0 - low).abs();
+    }
     Some(Extents { size, low, high, unsteadiness: medians(&frames, |frame| frame.0) })
 }
 
