@@ -262,6 +262,8 @@ messages!(read_csm {
         "line 3, column 9: expected the end of the line after 1 markers, found `4`";
     a_csm_with_a_frame_number_that_is_none: "$order a\n$points\n1.5 1 2 3" =>
         "line 3, column 1: expected the number of a frame, found `1.5`";
+    a_csm_with_a_name_that_would_be_a_section: "$order a $b\n$points" =>
+        "line 1, column 10: expected the name of a marker, found `$b`";
     a_csm_with_no_rate_behind_rate: "$rate\n$order a\n$points" =>
         "line 1, column 1: expected one number for `$rate`, found none";
     a_csm_with_a_rate_of_zero: "$rate 0\n$order a\n$points" =>

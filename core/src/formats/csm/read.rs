@@ -29,7 +29,7 @@ pub(super) fn parse(source: &[u8]) -> Result<Csm, ParseError> {
             b"points" if has_points => return Err(keyword.problem("`$points` once", "a second one")),
             b"order" => {
                 has_order = true;
-                reader.read_order(&rest);
+                reader.read_order(&rest)?;
             }
             b"points" => {
                 if !has_order {
@@ -72,11 +72,16 @@ impl<'a> Reader<'a> {
         Some(line)
     }
 
-    fn read_order(&mut self, first: &[Word<'a>]) {
+    fn read_order(&mut self, first: &[Word<'a>]) -> Result<(), ParseError> {
+        // Where a name that begins so stood first on a line, it would be a section.
+        if let Some(word) = first.iter().find(|word| word.bytes.starts_with(b"$")) {
+            return Err(word.unexpected("the name of a marker"));
+        }
         self.csm.order.extend(first.iter().map(Word::text));
         while let Some(line) = self.next_of_section() {
             self.csm.order.extend(words(self.source, &line).map(|word| word.text()));
         }
+        Ok(())
     }
 
     /// Reads the value behind a keyword or on the lines below.
