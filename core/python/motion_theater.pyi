@@ -37,8 +37,8 @@ __all__ = [
     "filter_rotations",
     "filter_values",
     "format_of",
-    "infer",
     "format_recipe",
+    "infer",
     "main",
     "parse_recipe",
     "read",
@@ -137,8 +137,9 @@ class Motion:
         first_frame: int = 1,
         rate_hz: float | None = None,
     ) -> Motion:
-        """A motion of one's own, in the file's axes: by bone (frames, 4) rotations relative to the rest pose and (frames, 3)
-        translations of its start, both in the axes of the parent's global rotation; None where the bone has none."""
+        """A motion of one's own, in the file's axes: by bone (frames, 4) rotations relative to the rest pose and
+        (frames, 3) translations of its start, both in the axes of the parent's global rotation; None where the bone
+        has none."""
 
     def has_rotation(self, bone: int) -> bool: ...
     def has_translation(self, bone: int) -> bool: ...
@@ -243,7 +244,7 @@ class Markers:
         """Pairs of markers near each other whose distance stays nearly constant."""
     def to_bytes(
         self,
-        format: Literal["c3d", "csm", "trc"],
+        extension: Literal["c3d", "csm", "trc"],
         *,
         processor: Literal["INTEL", "DEC", "MIPS"] = "INTEL",
         storage: Literal["INTEGER", "FLOAT"] = "FLOAT",

@@ -275,6 +275,8 @@ messages!(read_csm {
 messages!(read_trc {
     a_trc_that_ends_in_its_head: "PathFileType\t4\n" =>
         "line 2, column 1: expected the keys of the head, from `DataRate` on, found the end of the file";
+    a_trc_without_its_first_line: "DataRate\n60\nFrame#\n" =>
+        "line 1, column 1: expected a line that begins with `PathFileType`, found `DataRate`";
     a_trc_without_names: "PathFileType\t4\nDataRate\n60\n1\t0\t1\t2\t3" =>
         "line 4, column 1: expected a line that begins with `Frame#`, found `1\\t0\\t1\\t2\\t3`";
     a_trc_with_a_word_for_a_number: TRC.replace("-1e-3", "x") =>

@@ -267,16 +267,16 @@ impl PyMarkers {
         py.detach(|| gaps::neighbours(&self.0.positions, &self.0.kinds))
     }
 
-    #[pyo3(signature = (format, *, processor="INTEL", storage="FLOAT"))]
+    #[pyo3(signature = (extension, *, processor="INTEL", storage="FLOAT"))]
     fn to_bytes<'py>(
         &self,
         py: Python<'py>,
-        format: &str,
+        extension: &str,
         processor: &str,
         storage: &str,
     ) -> PyResult<Bound<'py, PyBytes>> {
         let encoding = encoding(processor, storage)?;
-        let bytes = py.detach(|| match format {
+        let bytes = py.detach(|| match extension {
             "c3d" => C3d::compose(&self.0, encoding),
             "csm" => Ok(Csm::of_markers(&self.0).to_bytes()),
             "trc" => Ok(Trc::of_markers(&self.0, "markers.trc").to_bytes()),

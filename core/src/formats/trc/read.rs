@@ -7,6 +7,9 @@ use crate::formats::kind::{self, Kind};
 use crate::number::read;
 use crate::text::{error_at, Lines, Word, Words, LARGEST};
 
+/// What every file begins with.
+const FIRST: &str = "a line that begins with `PathFileType`";
+
 /// The cells of a row before its first marker: number and time.
 const LEADING_CELLS: usize = 2;
 
@@ -15,11 +18,12 @@ pub(super) fn parse(source: &[u8]) -> Result<Trc, ParseError> {
     let mut lines = Lines::new(source);
     let texts = |line: &Words<'_>| without_empty_end(cells(source, line).map(|cell| cell.text()).collect());
     let mut head = |what: &str| lines.next_line().ok_or_else(|| lines.clone().ended(what));
-    let mut path_file_type = texts(&head("a line that begins with `PathFileType`")?);
-    if let Some(first) = path_file_type.first_mut() {
-        // A second byte-order mark would be the first one of the file written anew.
-        *first = first.trim_start_matches('\u{feff}').to_owned();
+    let first_line = head(FIRST)?;
+    let is_first = first_line.raw().trim_ascii_start().to_ascii_lowercase().starts_with(b"pathfiletype");
+    if !is_first {
+        return Err(Word::new(source, first_line.at(), first_line.raw().len()).unexpected(FIRST));
     }
+    let path_file_type = texts(&first_line);
     let keys = texts(&head("the keys of the head, from `DataRate` on")?);
     let mut values = texts(&head("the values of the head")?).into_iter();
     let names_line = head("a line that begins with `Frame#`")?;
