@@ -14,7 +14,7 @@ STEP_SECONDS ?= 900
 LIMIT := $(if $(shell command -v timeout),timeout --kill-after=30 $(STEP_SECONDS))
 
 TOOLS := build/venv/tools/bin
-RUST := $(shell find core/src core/cli/src core/python/src -name '*.rs') Cargo.toml Cargo.lock core/Cargo.toml core/cli/Cargo.toml \
+RUST := $(shell find core/src core/cli/src core/library/src core/python/src -name '*.rs') Cargo.toml Cargo.lock core/Cargo.toml core/cli/Cargo.toml core/library/Cargo.toml \
     $(wildcard core/python/Cargo.toml core/python/pyproject.toml core/python/*.pyi)
 ADDON := $(shell find addon -type f -not -path '*/__pycache__/*') LICENSE README.md .ci/package.py .ci/notices.py
 
@@ -35,7 +35,7 @@ demo: build/venv/bpy-$(NEWEST)/.module ## Run the tutorial: out/ gets a .blend, 
 test: test-rust test-python test-blender test-install fuzz-smoke ## Run every test that needs no window
 
 test-rust: ## Test the core
-	$(LIMIT) cargo test --locked --package motion-theater-core --package motion-theater-cli
+	$(LIMIT) cargo test --locked --package motion-theater-core --package motion-theater-cli --package motion-theater-library
 
 # Folders of tests that need no Blender.
 PURE := tests/native tests/logic tests/testdata tests/demo tests/docs
