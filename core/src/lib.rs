@@ -38,6 +38,7 @@ pub mod skeleton;
 pub mod skeleton_search;
 pub mod stack;
 mod text;
+pub mod upright;
 pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};
