@@ -55,6 +55,15 @@ enum Body<'a> {
 }
 
 impl<'a> Actor<'a> {
+    /// Takes what a file holds: its markers, or else its skeleton; `None` where there is neither.
+    pub fn of(
+        markers: Option<&'a Markers>,
+        skeleton: Option<&'a Skeleton>,
+        motion: Option<&'a Motion>,
+    ) -> Option<Self> {
+        markers.map(Self::of_markers).or_else(|| Some(Self::of_skeleton(skeleton?, motion)))
+    }
+
     /// Takes a skeleton and its motion, in the file's axes, or its rest pose where it has none.
     pub fn of_skeleton(skeleton: &'a Skeleton, motion: Option<&'a Motion>) -> Self {
         let motion = motion.filter(|motion| motion.frame_count > 0);
