@@ -34,39 +34,34 @@ impl Joints {
         let child_counts = child_counts(skeleton);
         let sides = inherited_sides(skeleton);
         let mut point_of: Vec<usize> = Vec::with_capacity(skeleton.bones.len());
-        // By parent's bone and offset, the line to joints that do not move against their parent.
+        // By parent and offset, the line to joints that do not move against their parent.
         let mut fixed: HashMap<(usize, [u64; 3]), usize> = HashMap::new();
         for (index, bone) in skeleton.bones.iter().enumerate() {
             let side = sides.get(index).copied().unwrap_or_default();
-            let moves =
-                motion.and_then(|motion| motion.bones.get(index)).is_some_and(|bone| !bone.translations.is_empty());
+            let samples = motion.and_then(|motion| motion.bones.get(index));
+            let moves = samples.is_some_and(|samples| !samples.translations.is_empty());
             let parent = bone.parent.and_then(|parent| Some((parent, *point_of.get(parent)?)));
-            let point = match parent {
-                Some((_, point)) if !moves && bone.offset == DVec3::ZERO => point,
-                Some((parent, from)) => {
-                    let place = (parent, bone.offset.to_array().map(f64::to_bits));
-                    match fixed.get(&place).filter(|_| !moves) {
-                        Some(&line) => joints.join_line(line, side),
-                        None => {
-                            let point = joints.add(bone.name.clone(), End::Head(index));
-                            let is_carrier = child_counts.get(parent) == Some(&1) && carries(skeleton, parent);
-                            if !is_carrier {
-                                fixed.entry(place).or_insert(joints.lines.len());
-                                joints.lines.push([from, point]);
-                                joints.sides.push(side);
-                            }
-                            point
-                        }
+            let place = parent.map(|(parent, _)| (parent, bone.offset.to_array().map(f64::to_bits)));
+            let line = place.and_then(|place| fixed.get(&place)).filter(|_| !moves).copied();
+            let point = match (parent, line) {
+                (Some((_, from)), _) if !moves && bone.offset == DVec3::ZERO => from,
+                (_, Some(line)) => joints.go_on_from(line, side),
+                (Some((parent, from)), None) => {
+                    let point = joints.add(bone.name.clone(), End::Head(index));
+                    let is_carried = child_counts.get(parent) == Some(&1) && carries(skeleton, parent);
+                    if !is_carried {
+                        fixed.extend(place.map(|place| (place, joints.lines.len())));
+                        joints.join(from, point, side);
                     }
+                    point
                 }
-                None => joints.add(bone.name.clone(), End::Head(index)),
+                (None, None) => joints.add(bone.name.clone(), End::Head(index)),
             };
-            point_of.push(point);
             if child_counts.get(index) == Some(&0) && bone.tail != DVec3::ZERO {
                 let end = joints.add(format!("{}_End", bone.name), End::Tail(index));
-                joints.lines.push([point, end]);
-                joints.sides.push(side);
+                joints.join(point, end, side);
             }
+            point_of.push(point);
         }
         joints
     }
@@ -77,8 +72,13 @@ impl Joints {
         self.names.len() - 1
     }
 
-    /// Several bones go on from where a line ends: it has their side where they agree. Returns that point.
-    fn join_line(&mut self, line: usize, side: Side) -> usize {
+    fn join(&mut self, from: usize, to: usize, side: Side) {
+        self.lines.push([from, to]);
+        self.sides.push(side);
+    }
+
+    /// Several bones start where a line ends: it has their side where they agree. Returns that point.
+    fn go_on_from(&mut self, line: usize, side: Side) -> usize {
         if let Some(known) = self.sides.get_mut(line).filter(|known| **known != side) {
             *known = Side::Middle;
         }
