@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "DEFAULT_SKELETON_ASF",
+    "DEFAULT_SKELETON_NOTICE",
     "AnalogChannel",
     "Answer",
     "BaseChannel",
@@ -31,8 +33,10 @@ __all__ = [
     "ResultChannel",
     "Rig",
     "Skeleton",
+    "SkeletonCandidate",
     "Track",
     "__version__",
+    "default_skeleton",
     "digest",
     "evaluate",
     "filter_rotations",
@@ -45,6 +49,7 @@ __all__ = [
     "parse_recipe",
     "read",
     "read_bytes",
+    "skeletons_for",
     "to_acclaim",
     "to_bvh",
 ]
@@ -349,8 +354,35 @@ class Figure:
 def load_figure(
     path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None
 ) -> Figure:
-    """Read any supported file as a figure. `skeleton` is that of an AMC. Where there are more frames than `longest`, every
-    second, third, ... is taken, so that the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
+    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of `skeletons_for`
+    is taken, or the default one. Where there are more frames than `longest`, every second, third, ... is taken, so that
+    the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
+
+@final
+class SkeletonCandidate:
+    """A skeleton file that may belong to a motion, and why."""
+
+    path: str
+    reason: str
+    """The end of "Took 02.asf, because ...": "it is of the same subject, 02"."""
+
+def skeletons_for(
+    path: str | PathLike[str],
+    *,
+    chosen: Sequence[str | PathLike[str]] = (),
+    others: Sequence[str | PathLike[str]] = (),
+) -> list[SkeletonCandidate]:
+    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
+    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
+    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+
+def default_skeleton() -> Skeleton:
+    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human of root and 30 bones."""
+
+DEFAULT_SKELETON_ASF: str
+"""The same as an ASF file."""
+DEFAULT_SKELETON_NOTICE: str
+"""What the user is told where it is used."""
 
 @final
 class Answer:

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use motion_theater_core::error::words;
+use motion_theater_core::loaded::LoadError;
 use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, ReadError};
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -113,11 +115,7 @@ pub fn parse(path: &str, error: &ParseError) -> PyErr {
 /// What the disk said, as the exception that Python itself would raise.
 pub fn io(path: &Path, error: &std::io::Error) -> PyErr {
     match error.raw_os_error() {
-        Some(code) => {
-            let words = error.to_string();
-            let words = words.split(" (os error").next().unwrap_or_default().to_owned();
-            PyOSError::new_err((code, words, path.to_path_buf()))
-        }
+        Some(code) => PyOSError::new_err((code, words(error), path.to_path_buf())),
         None => PyOSError::new_err(format!("{}: {error}", path.display())),
     }
 }
@@ -129,5 +127,17 @@ pub fn read(error: ReadError) -> PyErr {
         ReadError::Parse { path, error } => parse(&path.display().to_string(), &error),
         ReadError::Misfit { path, error } => misfit(&path.display().to_string(), error),
         other => PyValueError::new_err(other.to_string()),
+    }
+}
+
+/// Everything that reading a file with its skeleton can end in.
+pub fn load(error: LoadError) -> PyErr {
+    match error {
+        LoadError::Read(error) => read(error),
+        LoadError::Misfit { motion, error, .. } => misfit(&motion.display().to_string(), error),
+        other => Python::attach(|py| {
+            let fill = |value: &Bound<'_, PyAny>| value.setattr("bones", Vec::<String>::new());
+            raise(py, |types| &types.misfit, other.to_string(), fill)
+        }),
     }
 }

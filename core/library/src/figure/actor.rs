@@ -5,6 +5,7 @@ use super::joints::{End, Joints};
 use super::sides::{sides, Side};
 use glam::{DMat3, DVec3, Vec3};
 use motion_theater_core::gaps::neighbours;
+use motion_theater_core::loaded::{LoadError, Loaded};
 use motion_theater_core::markers::PointKind;
 use motion_theater_core::pose::pose;
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
@@ -55,13 +56,15 @@ enum Body<'a> {
 }
 
 impl<'a> Actor<'a> {
-    /// Takes what a file holds: its markers, or else its skeleton; `None` where there is neither.
-    pub fn of(
-        markers: Option<&'a Markers>,
-        skeleton: Option<&'a Skeleton>,
-        motion: Option<&'a Motion>,
-    ) -> Option<Self> {
-        markers.map(Self::of_markers).or_else(|| Some(Self::of_skeleton(skeleton?, motion)))
+    /// Takes what a file holds: its markers, or else its skeleton.
+    ///
+    /// # Errors
+    /// Where there is neither: a motion whose skeleton was not found.
+    pub fn of(loaded: &'a Loaded) -> Result<Self, LoadError> {
+        match loaded.clip.markers.as_deref() {
+            Some(markers) => Ok(Self::of_markers(markers)),
+            None => Ok(Self::of_skeleton(loaded.skeleton()?, loaded.motion.as_ref())),
+        }
     }
 
     /// Takes a skeleton and its motion, in the file's axes, or its rest pose where it has none.

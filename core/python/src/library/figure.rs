@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use glam::Vec3;
-use motion_theater_core::read::read_path;
-use motion_theater_core::MisfitError;
+use motion_theater_core::loaded::{Loaded, SkeletonFile};
+use motion_theater_core::Skeleton;
 use motion_theater_library::figure::{Actor, Figure};
 use numpy::ndarray::{Array1, Array2, Array3};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3};
@@ -27,15 +27,15 @@ pub fn load_figure(
     skeleton: Option<&PySkeleton>,
     longest: Option<usize>,
 ) -> PyResult<PyFigure> {
-    py.detach(|| {
-        let given = skeleton.map(|skeleton| &*skeleton.0);
-        let clip = read_path(&path, given).map_err(errors::read)?;
-        let skeleton = clip.skeleton.as_ref().or(given);
-        let actor = Actor::of(clip.markers.as_deref(), skeleton, clip.motion.as_ref()).ok_or_else(|| {
-            errors::misfit(&path.display().to_string(), MisfitError { bones: vec!["no skeleton".to_owned()] })
-        })?;
-        Ok(PyFigure(Figure::new(&actor, longest)))
-    })
+    let named = skeleton.map(|skeleton| {
+        let skeleton = Skeleton::clone(&skeleton.0);
+        SkeletonFile { path: PathBuf::from(&skeleton.name), skeleton }
+    });
+    let figure = py.detach(|| {
+        let loaded = Loaded::read(&path, named.as_ref())?;
+        Ok(Figure::new(&Actor::of(&loaded)?, longest))
+    });
+    figure.map(PyFigure).map_err(errors::load)
 }
 
 #[pymethods]
