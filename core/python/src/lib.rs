@@ -17,6 +17,7 @@ mod filters;
 mod inference;
 mod markers;
 mod motion;
+mod pairing;
 mod recipe;
 mod rig;
 mod skeleton;
@@ -44,6 +45,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
     module.add_function(wrap_pyfunction!(clip::format_of, module)?)?;
+    pairing::add_to(module)?;
     module.add_class::<inference::PyAnswer>()?;
     module.add_class::<inference::PyInference>()?;
     module.add_function(wrap_pyfunction!(inference::infer, module)?)?;
