@@ -157,7 +157,7 @@ class Motion:
     def pose(self, skeleton: Skeleton, frame: float) -> tuple[Floats, Floats, Floats]:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
-        """The same motion at another rate, low-passed first when going down."""
+        """The same motion at another rate, low-passed first when going down; it lasts as long, to half a frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
