@@ -208,10 +208,10 @@ class Markers:
         first_frame: int = 1,
         unit_m: float = 1.0,
         up: tuple[float, float, float] = ...,
-        events: Sequence[tuple[str, float]] = ...,
+        events: Sequence[tuple[str, float] | tuple[str, float, str, str]] = ...,
     ) -> Markers:
         """`positions` is (markers, frames, 3), NaN in gaps; `events` are labels with their time in seconds, 0 being
-        frame 1."""
+        frame 1, and where there are such with context and subject."""
     names: list[str]
     """In file order; they may be empty, or the same twice."""
     kinds: list[Literal["POSITION", "ANGLE", "FORCE", "MOMENT", "POWER", "SCALAR"]]
@@ -247,6 +247,12 @@ class Markers:
         fewer than three neighbours that keep their distance were seen."""
     def filtered(self, *, kind: FilterKind, depth: int, markers: Sequence[str] | None = None) -> Markers:
         """The markers filtered; no window reaches over a gap, and gaps stay."""
+    def resampled(self, rate_hz: float) -> Markers:
+        """The same movement at another rate, low-passed first when going down; gaps stay. Frame 1 stays the moment that
+        events count from, so `first_frame` changes; residuals and analog signals are left out."""
+    def with_analog(self, channels: Sequence[tuple[str, str, str, Floats]], samples_per_frame: int) -> Markers:
+        """The markers with these signals instead of their own: name, description, unit and (frames *
+        samples_per_frame,) samples each, kept as float32."""
     def neighbours(self) -> list[tuple[int, int]]:
         """Pairs of markers near each other whose distance stays nearly constant."""
     def to_bytes(
