@@ -5,9 +5,13 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`catalogue`] | the database: opening it, folders, rows, edits, tags |
+//! | [`facts`] | what is in a file, without its samples |
+//! | [`scan`] | folders compared with the database: what is new, changed, moved or gone |
 
 pub mod catalogue;
 pub mod error;
+pub mod facts;
+pub mod scan;
 
 pub use catalogue::Library;
 pub use error::LibraryError;
