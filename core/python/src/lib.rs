@@ -15,6 +15,7 @@ mod errors;
 mod evaluation;
 mod filters;
 mod inference;
+mod library;
 mod markers;
 mod motion;
 mod recipe;
@@ -27,6 +28,7 @@ mod writing;
 fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     errors::add_to(module)?;
+    library::add_to(module)?;
     module.add_class::<skeleton::PySkeleton>()?;
     module.add_class::<motion::PyMotion>()?;
     module.add_class::<markers::PyMarkers>()?;

@@ -43,6 +43,8 @@ const MOST_WAITING: usize = 256;
 pub struct Options {
     /// Folders of the library, or folders within them; `None` for all of the library's.
     pub folders: Option<Vec<PathBuf>>,
+    /// Whether to draw previews once the files are read; that reads every number of each.
+    pub with_previews: bool,
     /// How many files are read at a time; `None` for one per core.
     pub jobs: Option<usize>,
 }
