@@ -600,7 +600,7 @@ class Library:
         """Write what the user says: `subject`, `recorded_on`, `description`, `session_group` as text, `cleaned` as a truth
         value (None takes the user's own value back), `rating`, `is_favourite`. All clips, or none."""
 
-    def tag(self, ids: Sequence[int], *, add: Sequence[str] = (), remove: Sequence[str] = ()) -> None: ...
+    def tag(self, ids: Sequence[int], *, add: Sequence[str] = ..., remove: Sequence[str] = ...) -> None: ...
     def set_segments(self, id: int, segments: Sequence[tuple[int, int]]) -> None:
         """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
 
