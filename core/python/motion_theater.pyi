@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "DEFAULT_SKELETON_ASF",
+    "DEFAULT_SKELETON_NOTICE",
     "AnalogChannel",
     "Answer",
     "BaseChannel",
@@ -30,8 +32,10 @@ __all__ = [
     "ResultChannel",
     "Rig",
     "Skeleton",
+    "SkeletonCandidate",
     "Track",
     "__version__",
+    "default_skeleton",
     "digest",
     "evaluate",
     "filter_rotations",
@@ -43,6 +47,7 @@ __all__ = [
     "parse_recipe",
     "read",
     "read_bytes",
+    "skeletons_for",
     "to_acclaim",
     "to_bvh",
 ]
@@ -299,6 +304,32 @@ def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> C
 
 def format_of(path: str | PathLike[str]) -> str | None:
     """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
+
+@final
+class SkeletonCandidate:
+    """A skeleton file that may belong to a motion, and why."""
+
+    path: str
+    reason: str
+    """The end of "Took 02.asf, because ...": "it is of the same subject, 02"."""
+
+def skeletons_for(
+    path: str | PathLike[str],
+    *,
+    chosen: Sequence[str | PathLike[str]] = (),
+    others: Sequence[str | PathLike[str]] = (),
+) -> list[SkeletonCandidate]:
+    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
+    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
+    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+
+def default_skeleton() -> Skeleton:
+    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human of root and 30 bones."""
+
+DEFAULT_SKELETON_ASF: str
+"""The same as an ASF file."""
+DEFAULT_SKELETON_NOTICE: str
+"""What the user is told where it is used."""
 
 @final
 class Answer:

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use motion_theater_core::error::words;
 use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, ReadError};
 use motion_theater_library::LibraryError;
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
@@ -126,11 +127,7 @@ pub fn parse(path: &str, error: &ParseError) -> PyErr {
 /// What the disk said, as the exception that Python itself would raise.
 pub fn io(path: &Path, error: &std::io::Error) -> PyErr {
     match error.raw_os_error() {
-        Some(code) => {
-            let words = error.to_string();
-            let words = words.split(" (os error").next().unwrap_or_default().to_owned();
-            PyOSError::new_err((code, words, path.to_path_buf()))
-        }
+        Some(code) => PyOSError::new_err((code, words(error), path.to_path_buf())),
         None => PyOSError::new_err(format!("{}: {error}", path.display())),
     }
 }

@@ -18,6 +18,7 @@ mod inference;
 mod library;
 mod markers;
 mod motion;
+mod pairing;
 mod recipe;
 mod rig;
 mod skeleton;
@@ -46,6 +47,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
     module.add_function(wrap_pyfunction!(clip::format_of, module)?)?;
+    pairing::add_to(module)?;
     module.add_class::<inference::PyAnswer>()?;
     module.add_class::<inference::PyInference>()?;
     module.add_function(wrap_pyfunction!(inference::infer, module)?)?;
