@@ -9,6 +9,7 @@ use std::path::Path;
 
 use motion_theater_core::read::{read_bytes, Clip, Format};
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
+use motion_theater_core::upright::axis_name;
 use motion_theater_core::{ReadError, Skeleton};
 
 use crate::catalogue::Field;
@@ -75,7 +76,7 @@ impl Facts {
             markers: markers.map(|markers| markers.count()),
             skeleton: None,
             unit_m: markers.map(|markers| markers.unit.metres),
-            up: markers.map(|markers| skeleton::axis_name(markers.up.axis)),
+            up: markers.map(|markers| axis_name(markers.up.axis)),
             says: said::by(clip, path),
             notices,
         };
@@ -88,7 +89,7 @@ impl Facts {
     /// Takes what a skeleton says: the file's own, or the one that was found for it.
     pub(crate) fn set_skeleton(&mut self, skeleton: &Skeleton) {
         self.unit_m = Some(skeleton.unit.metres);
-        self.up = Some(skeleton::axis_name(skeleton.up));
+        self.up = Some(axis_name(skeleton.up));
         self.skeleton = Some(SkeletonFacts::of(skeleton));
     }
 

@@ -1,6 +1,5 @@
 //! What tells skeletons apart.
 
-use glam::DVec3;
 use motion_theater_core::Skeleton;
 
 /// What is known of a skeleton.
@@ -29,18 +28,4 @@ pub fn fingerprint(skeleton: &Skeleton) -> String {
         hasher.update(&bone.parent.map_or(u64::MAX, |parent| parent as u64).to_le_bytes());
     }
     hasher.finalize().to_hex().chars().take(DIGITS).collect()
-}
-
-/// Returns the name of the axis nearest to a direction: `Y`, `-Z`.
-pub(super) fn axis_name(direction: DVec3) -> &'static str {
-    let axes = [
-        ("X", DVec3::X),
-        ("Y", DVec3::Y),
-        ("Z", DVec3::Z),
-        ("-X", DVec3::NEG_X),
-        ("-Y", DVec3::NEG_Y),
-        ("-Z", DVec3::NEG_Z),
-    ];
-    let nearest = axes.into_iter().max_by(|a, b| a.1.dot(direction).total_cmp(&b.1.dot(direction)));
-    nearest.map_or("", |(name, _)| name)
 }

@@ -21,9 +21,9 @@ use std::sync::mpsc::{sync_channel, Receiver, RecvTimeoutError};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use plan::Plan;
 use progress::{count, State};
 use reading::{Reader, Reading};
-use walk::Found;
 use writer::Root;
 
 use crate::catalogue::{now, paths, Library};
@@ -122,7 +122,7 @@ fn run(library: &Library, folders: &[PathBuf], jobs: Option<usize>, state: &Stat
     }
     library.write(|db| writer::mark(db, &plan, state))?;
     state.enter(Phase::Reading);
-    read_all(library, &plan.to_read, &plan.skeletons, jobs, state)?;
+    read_all(library, &plan, jobs, state)?;
     if state.is_cancelled() {
         return Ok(());
     }
@@ -138,22 +138,16 @@ fn run(library: &Library, folders: &[PathBuf], jobs: Option<usize>, state: &Stat
 }
 
 /// Reads files with several workers, and writes what they find.
-fn read_all(
-    library: &Library,
-    to_read: &[Found],
-    skeletons: &skeletons::Skeletons,
-    jobs: Option<usize>,
-    state: &State,
-) -> Result<(), LibraryError> {
+fn read_all(library: &Library, plan: &Plan, jobs: Option<usize>, state: &State) -> Result<(), LibraryError> {
     let jobs = jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
-    let jobs = jobs.clamp(1, to_read.len().max(1));
-    let reader = Reader::new(skeletons);
+    let jobs = jobs.clamp(1, plan.to_read.len().max(1));
+    let reader = Reader::new(&plan.skeletons);
     let next = AtomicUsize::new(0);
     let (sender, receiver) = sync_channel(MOST_WAITING);
     let work = |sender: std::sync::mpsc::SyncSender<Reading>| {
         let mut buffer = Vec::new();
         while !state.is_cancelled() {
-            let Some(found) = to_read.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
+            let Some(found) = plan.to_read.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
             state.take_up(&found.path);
             let reading = reader.read(found.clone(), &mut buffer);
             count(&state.done);
@@ -169,7 +163,7 @@ fn read_all(
             scope.spawn(move || work(sender));
         }
         drop(sender);
-        let written = write_all(library, &receiver, state);
+        let written = write_all(library, &receiver, plan, state);
         // Workers that have something to hand over must not wait for a writer that has failed.
         drop(receiver);
         written
@@ -177,7 +171,7 @@ fn read_all(
 }
 
 /// Writes files as they come in, until there are no more.
-fn write_all(library: &Library, receiver: &Receiver<Reading>, state: &State) -> Result<(), LibraryError> {
+fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
     while let Ok(first) = receiver.recv() {
         let mut batch = vec![first];
         let deadline = Instant::now() + BATCH_TIME;
@@ -193,7 +187,7 @@ fn write_all(library: &Library, receiver: &Receiver<Reading>, state: &State) -> 
             let root =
                 |row: &rusqlite::Row<'_>| Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) });
             let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
-            batch.iter().try_for_each(|reading| writer::write(db, &roots, reading, state))
+            batch.iter().try_for_each(|reading| writer::write(db, &roots, plan, reading, state))
         })?;
     }
     Ok(())

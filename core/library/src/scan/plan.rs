@@ -15,7 +15,7 @@ use crate::facts::READER;
 
 /// What a walk over the folders says.
 ///
-/// What is kept in memory: about 200 bytes for each file that is new or changed, 8 for each that is not.
+/// What is kept in memory: about 200 bytes for each file that is new or changed, about 16 for each clip.
 #[derive(Default)]
 pub(super) struct Plan {
     /// New or changed files, in the order of the walk.
@@ -23,7 +23,7 @@ pub(super) struct Plan {
     /// Clips that were missing and are there again, unchanged.
     pub(super) back: Vec<i64>,
     /// Clips that are gone.
-    pub(super) gone: Vec<i64>,
+    pub(super) gone: HashSet<i64>,
     pub(super) skeletons: Skeletons,
 }
 
@@ -54,6 +54,7 @@ pub(super) fn make(db: &Connection, folders: &[PathBuf], state: &State) -> Resul
     for folder in folders {
         plan.miss(db, folder, &seen, &closed, &mut other_skeletons)?;
     }
+    plan.know_distant_skeletons(db, folders)?;
     plan.pair_anew(db, &other_skeletons, state)?;
     Ok(plan)
 }
@@ -89,7 +90,7 @@ impl Plan {
             None if may_be.is_none() && !begins_as_motion(&found.path) => {}
             _ => {
                 if is_skeleton {
-                    other_skeletons.extend(found.path.parent().map(Path::to_owned));
+                    other_skeletons.insert(found.path.clone());
                 }
                 count(&state.total);
                 self.to_read.push(found);
@@ -122,39 +123,54 @@ impl Plan {
                 continue;
             }
             if is_skeleton(&path) {
-                other_skeletons.extend(path.parent().map(Path::to_owned));
+                other_skeletons.insert(path);
             }
-            self.gone.push(id);
+            self.gone.insert(id);
         }
         Ok(())
     }
 
-    /// Reads motions again that may have another skeleton now: those in and right below the folders of skeletons that
-    /// are new, changed or gone.
+    /// Reads motions again that may have another skeleton now: those beside or below a skeleton that is new, changed or
+    /// gone, those that had it, and those that had none.
     fn pair_anew(
         &mut self,
         db: &Connection,
         other_skeletons: &BTreeSet<PathBuf>,
         state: &State,
     ) -> Result<(), LibraryError> {
-        let mut listed: HashSet<PathBuf> = HashSet::new();
-        if !other_skeletons.is_empty() {
-            listed.extend(self.to_read.iter().map(|found| found.path.clone()));
+        if other_skeletons.is_empty() {
+            return Ok(());
         }
-        for folder in other_skeletons {
-            let (from, to) = paths::below(&paths::to_text(folder));
-            let mut rows = db.prepare_cached(
-                "SELECT path, size, modified_ns FROM clip
-                 WHERE path >= ? AND path < ? AND is_missing = 0 AND format = 'amc' AND error IS NULL",
-            )?;
-            let mut rows = rows.query([from, to])?;
-            while let Some(row) = rows.next()? {
-                let path = paths::to_path(&row.get::<_, String>(0)?);
-                let near = path.ancestors().skip(1).take(2).any(|above| above == folder);
-                if near && !is_gone(&path) && listed.insert(path.clone()) {
-                    count(&state.total);
-                    self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)? });
-                }
+        let mut listed: HashSet<PathBuf> = self.to_read.iter().map(|found| found.path.clone()).collect();
+        let folders: HashSet<&Path> = other_skeletons.iter().filter_map(|path| path.parent()).collect();
+        let mut rows = db.prepare_cached(
+            "SELECT path, size, modified_ns, skeleton_path FROM clip
+             WHERE format = 'amc' AND is_missing = 0 AND error IS NULL ORDER BY path",
+        )?;
+        let mut rows = rows.query(())?;
+        while let Some(row) = rows.next()? {
+            let path = paths::to_path(&row.get::<_, String>(0)?);
+            let skeleton = row.get::<_, Option<String>>(3)?.map(|text| paths::to_path(&text));
+            let is_near = || path.ancestors().skip(1).take(2).any(|above| folders.contains(above));
+            let is_other = skeleton.is_none_or(|skeleton| other_skeletons.contains(&skeleton)) || is_near();
+            if is_other && !is_gone(&path) && listed.insert(path.clone()) {
+                count(&state.total);
+                self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)? });
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes the skeletons of the library that lie outside the folders that are scanned.
+    fn know_distant_skeletons(&mut self, db: &Connection, folders: &[PathBuf]) -> Result<(), LibraryError> {
+        let mut rows = db.prepare_cached(
+            "SELECT path FROM clip WHERE format = 'asf' AND is_missing = 0 AND error IS NULL ORDER BY path",
+        )?;
+        let mut rows = rows.query(())?;
+        while let Some(row) = rows.next()? {
+            let path = paths::to_path(&row.get::<_, String>(0)?);
+            if !folders.iter().any(|folder| path.starts_with(folder)) {
+                self.skeletons.add_distant(&path);
             }
         }
         Ok(())

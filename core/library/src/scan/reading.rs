@@ -76,8 +76,13 @@ impl<'a> Reader<'a> {
         let failed = |message| Failure { format: Format::of(source, path), message };
         let (mut facts, clip) = facts::read(source, path).map_err(failed)?;
         let paired = (facts.format == Format::Amc).then(|| self.skeletons.pair(path, &clip));
-        if let Some(skeleton) = paired.as_ref().and_then(|paired| paired.skeleton.as_ref()) {
-            facts.set_skeleton(&skeleton.1);
+        if let Some(paired) = &paired {
+            if let Some(skeleton) = &paired.skeleton {
+                facts.set_skeleton(skeleton);
+            }
+            if paired.is_default {
+                facts.notices.push(paired.reason.clone());
+            }
         }
         Ok((facts, paired))
     }

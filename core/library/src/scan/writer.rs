@@ -1,6 +1,7 @@
 //! Writes what was read into the library: many files in a transaction, one writer.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 
 use rusqlite::{params, Connection, OptionalExtension, Transaction};
 
@@ -23,13 +24,12 @@ pub(super) struct Root {
 /// This comes before the first file is written: a file that was moved is known by its content among those that are gone.
 pub(super) fn mark(db: &Transaction<'_>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
     let mut update = db.prepare_cached("UPDATE clip SET is_missing = ? WHERE id = ? AND is_missing <> ?1")?;
-    for (ids, is_missing) in [(&plan.gone, true), (&plan.back, false)] {
-        for id in ids {
-            let changed = update.execute(params![is_missing, id])?;
-            if is_missing && changed > 0 {
-                count(&state.missing);
-            }
-        }
+    for id in &plan.gone {
+        update.execute(params![true, id])?;
+        count(&state.missing);
+    }
+    for id in &plan.back {
+        update.execute(params![false, id])?;
     }
     Ok(())
 }
@@ -47,6 +47,7 @@ enum Place {
 pub(super) fn write(
     db: &Transaction<'_>,
     roots: &[Root],
+    plan: &Plan,
     reading: &Reading,
     state: &State,
 ) -> Result<(), LibraryError> {
@@ -76,6 +77,9 @@ pub(super) fn write(
         }
         Place::Moved(id) => {
             count(&state.moved);
+            if plan.gone.contains(&id) {
+                state.missing.fetch_sub(1, Ordering::Relaxed);
+            }
             put(db, UPDATE, reading, root, &path, Some(id))?;
             say(db, id, says)?;
         }
@@ -137,7 +141,7 @@ fn put(
     let facts = reading.outcome.as_ref().ok().map(|(facts, _)| facts);
     let failure = reading.outcome.as_ref().err();
     let paired = reading.outcome.as_ref().ok().and_then(|(_, paired)| paired.as_ref());
-    let skeleton_path = paired.and_then(|paired| paired.skeleton.as_ref()).map(|(path, _)| paths::to_text(path));
+    let skeleton_path = paired.and_then(|paired| paired.path.as_deref()).map(paths::to_text);
     let skeleton = facts.and_then(|facts| facts.skeleton.as_ref());
     let format = facts.map(|facts| facts.format).or(failure.and_then(|failure| failure.format));
     let notices = facts.map_or_else(Vec::new, |facts| facts.notices.clone());
