@@ -38,10 +38,21 @@ pub struct Known<'a> {
 /// that fits.
 pub fn skeletons_for(motion: &Path, hint: Option<&str>, known: Known<'_>) -> Vec<Candidate> {
     let folder = motion.parent().unwrap_or(Path::new(""));
+    skeletons_among(motion, hint, known, skeletons_in(folder), skeletons_in(&above(folder)))
+}
+
+/// Returns the same where the skeleton files of the motion's folder and of the folder above are known already.
+pub fn skeletons_among(
+    motion: &Path,
+    hint: Option<&str>,
+    known: Known<'_>,
+    folder: Vec<PathBuf>,
+    above: Vec<PathBuf>,
+) -> Vec<Candidate> {
     let places = [
         (Place::Together, known.chosen.to_vec()),
-        (Place::Folder, skeletons_in(folder)),
-        (Place::Above, skeletons_in(&above(folder))),
+        (Place::Folder, folder),
+        (Place::Above, above),
         (Place::Elsewhere, known.others.to_vec()),
     ];
     rank::ranked(motion, hint, &places)
