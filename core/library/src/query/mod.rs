@@ -5,7 +5,7 @@
 //! term  = ["-"] ( word | phrase | field operator value ) a minus asks for what the term does not give
 //! ```
 //!
-//! A query is a list of [`Term`]s. [`search`](search()) answers it from the database; `docs/library.md`, "Searching",
+//! A query is a list of [`Term`]s. [`Library::search`](crate::Library::search) answers it from the database; `docs/library.md`, "Searching",
 //! is the language for those who type it. Three rules hold everywhere:
 //!
 //! - A clip that does not say what is asked for does not meet the term, whatever the comparison.
@@ -15,14 +15,25 @@
 mod dates;
 mod error;
 mod fields;
+mod id_set;
 mod numbers;
 mod parse;
+mod search;
+mod sets;
+mod sort;
 mod split;
+mod sql;
 mod whole;
+
+#[cfg(test)]
+mod plain;
+#[cfg(test)]
+mod tests;
 
 pub use error::QueryError;
 pub use fields::{Field, FlagField, NumberField, TextField, WholeField};
 pub use numbers::Bounds;
+pub use sort::{Order, Sort};
 pub use whole::WholeValue;
 
 /// What a clip must be.

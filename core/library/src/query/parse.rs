@@ -11,6 +11,8 @@ use super::{dates, numbers, Condition, Query, Term, WholeValue};
 const TERM_LIMIT: usize = 100;
 /// In characters; see [`TERM_LIMIT`].
 const LENGTH_LIMIT: usize = 10_000;
+/// Stands between two tags in the full-text index, as a word of its own. Nobody may ask for it.
+const BETWEEN_TAGS: char = '\u{E000}';
 
 impl Query {
     /// Reads a query; one without terms is met by every clip.
@@ -108,7 +110,8 @@ fn number_words(field: NumberField, value: &str) -> String {
 
 fn words(piece: &Piece<'_>, field: Option<super::TextField>) -> Result<Condition, QueryError> {
     if piece.value.chars().any(char::is_alphanumeric) {
-        return Ok(Condition::Words { field, text: piece.value.clone(), is_phrase: piece.is_quoted });
+        let text = piece.value.replace(BETWEEN_TAGS, " ");
+        return Ok(Condition::Words { field, text, is_phrase: piece.is_quoted });
     }
     let is_comparison = piece.value.starts_with([':', '=', '<', '>']);
     Err(QueryError::new(
