@@ -15,6 +15,7 @@ mod errors;
 mod evaluation;
 mod filters;
 mod inference;
+mod library;
 mod markers;
 mod motion;
 mod pairing;
@@ -56,5 +57,6 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
     module.add_function(wrap_pyfunction!(recipe::parse_recipe, module)?)?;
     module.add_function(wrap_pyfunction!(recipe::format_recipe, module)?)?;
+    library::add_to(module)?;
     module.add_function(wrap_pyfunction!(evaluation::digest, module)?)
 }
