@@ -56,25 +56,27 @@ fn number(text: &str) -> Option<(i64, &str)> {
 pub fn day(value: &str) -> Option<String> {
     let date = value.split([' ', 'T', ',']).find(|word| !word.is_empty())?;
     let separator = date.chars().find(|letter| ['-', '.', '/'].contains(letter))?;
-    let parts: Vec<&str> = date.trim_end_matches('.').split(separator).collect();
-    let [a, b, c] = parts.as_slice().try_into().ok()?;
-    let number = |text: &str| text.parse::<u32>().ok().filter(|_| text.bytes().all(|byte| byte.is_ascii_digit()));
-    let [(first, second), third] = [(number(a)?, number(b)?), (number(c)?, 0)];
-    let third = third.0;
-    let (year, month, day) = match (a.len(), c.len(), separator) {
-        (4, ..) => (first, second, third),
-        (_, 4, '/') if first > 12 => (third, second, first),
-        (_, 4, '/') if second > 12 => (third, first, second),
-        (_, 4, '/') => return None,
-        (_, 4, _) => (third, second, first),
+    let parts: Option<Vec<(u32, usize)>> = date.split(separator).map(digits).collect();
+    let [(a, a_digits), (b, _), (c, c_digits)] = parts?.try_into().ok()?;
+    let (year, month, day) = match (a_digits, c_digits, separator) {
+        (4, ..) => (a, b, c),
+        (_, 4, '/') if a > 12 => (c, b, a),
+        (_, 4, '/') if b > 12 => (c, a, b),
+        (_, 4, '.' | '-') => (c, b, a),
         _ => return None,
     };
     (1..=days(year, month)).contains(&day).then(|| format!("{year:04}-{month:02}-{day:02}"))
 }
 
+/// Returns a number and of how many digits it is made.
+fn digits(text: &str) -> Option<(u32, usize)> {
+    let is_number = text.bytes().all(|byte| byte.is_ascii_digit());
+    is_number.then(|| text.parse().ok()).flatten().map(|number| (number, text.len()))
+}
+
 /// Returns how many days a month has; none where there is no such month.
 fn days(year: u32, month: u32) -> u32 {
-    let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let is_leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
     match month {
         2 if is_leap => 29,
         2 => 28,
