@@ -131,7 +131,7 @@ impl SidecarFile {
     /// # Errors
     /// Where it cannot be written, or someone else changed it meanwhile. The file is what it was.
     pub fn save(&mut self) -> Result<(), SidecarError> {
-        self.save_with(|file, bytes| file.write_all(bytes))
+        self.save_with(Write::write_all)
     }
 
     fn save_with(&mut self, write: impl FnOnce(&mut fs::File, &[u8]) -> io::Result<()>) -> Result<(), SidecarError> {
