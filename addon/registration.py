@@ -17,6 +17,7 @@ from .operators import (
     import_skeleton,
     marker_edits,
     sources,
+    stack_files,
 )
 from .operators import filter as filter_operator
 from .panels import combine, entry, files, filters, markers, stack
@@ -35,6 +36,7 @@ CLASSES = (
     *entries.CLASSES,
     *edits.CLASSES,
     *sources.CLASSES,
+    *stack_files.CLASSES,
     *import_markers.CLASSES,
     *marker_edits.CLASSES,
     *stack.CLASSES,
