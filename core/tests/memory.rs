@@ -56,15 +56,17 @@ fn claims(words: [u16; 6], processor: u8) -> Vec<u8> {
 fn skeletons() -> [(&'static str, String); 6] {
     let joint = |channels: &str| format!("ROOT a\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\n");
     let head = "MOTION\nFrames: 4000000000\nFrame Time: 1e-9\n";
-    let open = "JOINT b {OFFSET 1 1 1 ".repeat(40);
+    let open = "JOINT b { OFFSET 1 1 1 ".repeat(40);
     let nested = format!("HIERARCHY\n{}{open}{}", joint("1 Xrotation"), "}".repeat(41));
-    let bones: String = (0..15).map(|i| format!("begin\nname b{i}\ndof rx ry rz\nlimits (-inf inf)\nend\n")).collect();
+    let bone = |i| format!("begin\nname b{i}\ndirection 1 0 0\nlength 1\ndof rx ry rz\nlimits (-inf inf)\nend\n");
+    let bones: String = (0..10).map(bone).collect();
+    let children: String = (0..10).map(|i| format!(" b{i}")).collect();
     [
         ("frames.bvh", format!("HIERARCHY\n{}}}\n{head}{}", joint("1 Xrotation"), "1\n".repeat(400))),
         ("channels.bvh", format!("HIERARCHY\n{}}}\n{head}1\n", joint("4000000000 Xrotation"))),
         ("nested.bvh", format!("{nested}\n{head}1 2 3")),
-        ("bones.asf", format!(":units\nlength 1e-9\n:bonedata\n{bones}:hierarchy\nbegin\nroot b1\nend\n")),
-        ("numbers.amc", (0..90).map(|i| format!("{}\nroot 1 2\n", i * 99_999_999)).collect()),
+        ("bones.asf", format!(":units\nlength 1e-9\n:bonedata\n{bones}:hierarchy\nbegin\nroot{children}\nend\n")),
+        ("numbers.amc", (0..90_u64).map(|i| format!("{}\nroot 1 2\n", i * 99_999_999)).collect()),
         ("width.amc", format!("1\nroot{}\n2\nroot 1\n", " 1".repeat(490))),
     ]
 }
