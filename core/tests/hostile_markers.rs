@@ -309,3 +309,12 @@ fn counts_cost_nothing() {
     let rows = TRC.lines().take(5).collect::<Vec<_>>().join("\n") + "\n" + &wide + &"1\t0\t1\t2\t3\n".repeat(30_000);
     assert_eq!(Trc::parse(rows.as_bytes()).unwrap_err().found, "30001 rows of which one has 300000");
 }
+
+#[test]
+fn no_reader_takes_a_rate_that_another_would_refuse() {
+    for rate in ["6666660", "1e300", "-5", "0", "nan"] {
+        let trc = read_trc(&TRC.replacen("59.94", rate, 1).replace("0.017", "1e-9").replace("0.033", "2e-9")).unwrap();
+        assert_eq!(trc.rate_hz(), None, "{rate}");
+        assert!(read_csm(&CSM.replace("119.88", rate)).is_err(), "{rate}");
+    }
+}

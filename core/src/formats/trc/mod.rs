@@ -17,6 +17,7 @@ mod read;
 mod write;
 
 use crate::error::ParseError;
+use crate::rate::HIGHEST_RATE_HZ;
 
 /// What a TRC file says, in its own units and order.
 #[derive(Debug, Clone, Default)]
@@ -59,7 +60,8 @@ impl Trc {
             [first, .., last] if last > first => Some((self.times.len() - 1) as f64 / (last - first)),
             _ => None,
         };
-        rate.filter(|rate| *rate > 0.0 && *rate < 1e7).or_else(by_times)
+        let is_rate = |rate: &f64| *rate > 0.0 && *rate <= HIGHEST_RATE_HZ;
+        rate.filter(is_rate).or_else(|| by_times().filter(is_rate))
     }
 
     /// Returns what is odd in the file and what was done about it, a sentence each.
