@@ -29,6 +29,7 @@ mod writing;
 fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     errors::add_to(module)?;
+    library::add_to(module)?;
     module.add_class::<skeleton::PySkeleton>()?;
     module.add_class::<motion::PyMotion>()?;
     module.add_class::<markers::PyMarkers>()?;
@@ -57,6 +58,5 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
     module.add_function(wrap_pyfunction!(recipe::parse_recipe, module)?)?;
     module.add_function(wrap_pyfunction!(recipe::format_recipe, module)?)?;
-    library::add_to(module)?;
     module.add_function(wrap_pyfunction!(evaluation::digest, module)?)
 }
