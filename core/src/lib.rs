@@ -16,6 +16,7 @@
 //! | [`pairing`] | which skeleton file belongs to a motion file |
 //! | [`loaded`] | a file with what belongs to it |
 //! | [`upright`] | from a file's axes to Z up |
+//! | [`skim`] | what a file is about, without reading every number in it |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
 mod bytes;
@@ -39,7 +40,9 @@ pub mod recipe;
 pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
+pub mod skim;
 pub mod stack;
+mod tally;
 mod text;
 pub mod upright;
 pub mod value;
