@@ -10,12 +10,14 @@ from .operators import (
     add_track,
     edits,
     entries,
+    export_markers,
     export_motion,
     import_markers,
     import_motion_capture,
     import_skeleton,
     marker_edits,
     sources,
+    stack_files,
 )
 from .operators import filter as filter_operator
 from .panels import combine, entry, files, filters, markers, stack
@@ -29,10 +31,12 @@ CLASSES = (
     *add_track.CLASSES,
     *import_motion_capture.CLASSES,
     *export_motion.CLASSES,
+    *export_markers.CLASSES,
     *filter_operator.CLASSES,
     *entries.CLASSES,
     *edits.CLASSES,
     *sources.CLASSES,
+    *stack_files.CLASSES,
     *import_markers.CLASSES,
     *marker_edits.CLASSES,
     *stack.CLASSES,

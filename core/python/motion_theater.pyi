@@ -20,6 +20,7 @@ __all__ = [
     "Clip",
     "Evaluation",
     "Event",
+    "Figure",
     "Filter",
     "Inference",
     "Library",
@@ -49,6 +50,7 @@ __all__ = [
     "format_of",
     "format_recipe",
     "infer",
+    "load_figure",
     "main",
     "parse_recipe",
     "read",
@@ -166,7 +168,7 @@ class Motion:
     def pose(self, skeleton: Skeleton, frame: float) -> tuple[Floats, Floats, Floats]:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
-        """The same motion at another rate, low-passed first when going down."""
+        """The same motion at another rate, low-passed first when going down; it lasts as long, to half a frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
@@ -215,10 +217,10 @@ class Markers:
         first_frame: int = 1,
         unit_m: float = 1.0,
         up: tuple[float, float, float] = ...,
-        events: Sequence[tuple[str, float]] = ...,
+        events: Sequence[tuple[str, float] | tuple[str, float, str, str]] = ...,
     ) -> Markers:
         """`positions` is (markers, frames, 3), NaN in gaps; `events` are labels with their time in seconds, 0 being
-        frame 1."""
+        frame 1, and where there are such with context and subject."""
     names: list[str]
     """In file order; they may be empty, or the same twice."""
     kinds: list[Literal["POSITION", "ANGLE", "FORCE", "MOMENT", "POWER", "SCALAR"]]
@@ -254,6 +256,12 @@ class Markers:
         fewer than three neighbours that keep their distance were seen."""
     def filtered(self, *, kind: FilterKind, depth: int, markers: Sequence[str] | None = None) -> Markers:
         """The markers filtered; no window reaches over a gap, and gaps stay."""
+    def resampled(self, rate_hz: float) -> Markers:
+        """The same movement at another rate, low-passed first when going down; gaps stay. Frame 1 stays the moment that
+        events count from, so `first_frame` changes; residuals and analog signals are left out."""
+    def with_analog(self, channels: Sequence[tuple[str, str, str, Floats]], samples_per_frame: int) -> Markers:
+        """The markers with these signals instead of their own: name, description, unit and (frames *
+        samples_per_frame,) samples each, kept as float32."""
     def neighbours(self) -> list[tuple[int, int]]:
         """Pairs of markers near each other whose distance stays nearly constant."""
     def to_bytes(
@@ -310,6 +318,60 @@ def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> C
 
 def format_of(path: str | PathLike[str]) -> str | None:
     """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
+
+@final
+class Figure:
+    """A clip as points and lines over frames, in metres, Z up, at the place where the file has it.
+
+    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points are
+    those that are positions, the lines join neighbours that keep their distance. Arrays are float32, made anew on every
+    access."""
+
+    names: list[str]
+    """One per point."""
+    points: NDArray[np.float32]
+    """(frames, points, 3); NaN where a point is not seen."""
+    lines: NDArray[np.int32]
+    """(lines, 2) which points each line joins."""
+    sides: NDArray[np.int8]
+    """(lines,) -1 for the figure's own left, 1 for its right, 0 for the middle and where it is not known."""
+    frames: int
+    """How many frames there are here."""
+    step: int
+    """Every so many frames of the file one is here."""
+    first_frame: int
+    """The file's own number of the first frame."""
+    rate_hz: float
+    """Of the frames that are here; assumed where the file does not say."""
+    bounds: NDArray[np.float32]
+    """(2, 3) the lowest and the highest coordinates over all frames; zeros where nothing is ever seen."""
+    floor: float
+    """The height of the floor that the figure stands on: 0, or where the file has its origin elsewhere, as low as the
+    figure comes."""
+
+    def segments(self, frame: float) -> NDArray[np.float32]:
+        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first and
+        after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a gap
+        has no length."""
+
+    def dots(self, frame: float) -> NDArray[np.float32]:
+        """(points that are seen, 3) at a frame, as in `segments`."""
+
+    def colors(
+        self,
+        *,
+        left: tuple[float, float, float, float],
+        middle: tuple[float, float, float, float],
+        right: tuple[float, float, float, float],
+    ) -> NDArray[np.float32]:
+        """(lines * 2, 4) a colour for each end of each line, in the order of `segments`."""
+
+def load_figure(
+    path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None
+) -> Figure:
+    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of `skeletons_for`
+    is taken, or the default one. Where there are more frames than `longest`, every second, third, ... is taken, so that
+    the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
 
 @final
 class SkeletonCandidate:

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use motion_theater_core::error::words;
+use motion_theater_core::loaded::LoadError;
 use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, ReadError};
 use motion_theater_library::LibraryError;
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
@@ -139,5 +140,17 @@ pub fn read(error: ReadError) -> PyErr {
         ReadError::Parse { path, error } => parse(&path.display().to_string(), &error),
         ReadError::Misfit { path, error } => misfit(&path.display().to_string(), error),
         other => PyValueError::new_err(other.to_string()),
+    }
+}
+
+/// Everything that reading a file with its skeleton can end in.
+pub fn load(error: LoadError) -> PyErr {
+    match error {
+        LoadError::Read(error) => read(error),
+        LoadError::Misfit { motion, error, .. } => misfit(&motion.display().to_string(), error),
+        other => Python::attach(|py| {
+            let fill = |value: &Bound<'_, PyAny>| value.setattr("bones", Vec::<String>::new());
+            raise(py, |types| &types.misfit, other.to_string(), fill)
+        }),
     }
 }

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use motion_theater_core::pairing::{default_skeleton, skeletons_among, Candidate, Known, DEFAULT_SKELETON_NOTICE};
+use motion_theater_core::pairing::{candidates, default_skeleton, Around, Candidate, Hints, DEFAULT_SKELETON_NOTICE};
 use motion_theater_core::read::{read_path, Clip};
+use motion_theater_core::sidecar::{self, Field};
 use motion_theater_core::Skeleton;
 
 /// So many skeletons are kept in memory (a few ten thousand bytes each); then reading begins anew.
@@ -45,16 +46,17 @@ impl Skeletons {
 
     /// Finds the skeleton of a motion: one beside it, any of the library, or else the built-in default where it fits.
     pub(super) fn pair(&self, path: &Path, clip: &Clip) -> Paired {
-        let hint = clip.amc.as_ref().and_then(|amc| amc.header.skeleton_hint.as_deref());
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let in_folder = |folder: &Path| self.by_folder.get(folder).cloned().unwrap_or_default();
-        let above = folder.parent().map(in_folder).unwrap_or_default();
-        let near = skeletons_among(path, hint, Known::default(), in_folder(folder), above);
-        let is_any = !near.is_empty();
-        let anywhere = || {
-            let known = Known { others: &self.all, ..Known::default() };
-            skeletons_among(path, hint, known, Vec::new(), Vec::new())
+        let sidecar = sidecar::read_beside(path);
+        let hints = Hints {
+            sidecar: sidecar.as_ref().and_then(|sidecar| sidecar.get(Field::AsfFile)).filter(|name| !name.is_empty()),
+            motion: clip.amc.as_ref().and_then(|amc| amc.header.skeleton_hint.as_deref()),
         };
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let in_folder = |folder: &Path| self.by_folder.get(folder).map_or(&[][..], Vec::as_slice);
+        let above = folder.parent().map_or(&[][..], in_folder);
+        let near = candidates(path, hints, Around { folder: in_folder(folder), above, ..Around::default() });
+        let is_any = !near.is_empty();
+        let anywhere = || candidates(path, hints, Around { others: &self.all, ..Around::default() });
         if let Some(paired) = self.first_that_fits(near, clip).or_else(|| self.first_that_fits(anywhere(), clip)) {
             return paired;
         }

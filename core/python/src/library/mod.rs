@@ -2,6 +2,7 @@
 
 mod clip;
 mod edits;
+mod figure;
 mod scan;
 
 use std::ffi::OsString;
@@ -31,13 +32,15 @@ pub struct PyLibraryFolder {
     scanned_at: Option<i64>,
 }
 
-/// Adds the classes to the module.
+/// Adds the classes and functions to the module.
 pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyLibrary>()?;
     module.add_class::<PyLibraryFolder>()?;
     module.add_class::<PyLibraryClip>()?;
     module.add_class::<PyScan>()?;
-    module.add_class::<PyScanProgress>()
+    module.add_class::<PyScanProgress>()?;
+    module.add_class::<figure::PyFigure>()?;
+    module.add_function(wrap_pyfunction!(figure::load_figure, module)?)
 }
 
 impl PyLibrary {

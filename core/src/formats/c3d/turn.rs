@@ -35,6 +35,22 @@ impl Frames {
         }
     }
 
+    /// Returns for every sample whether the marker was seen, point after point.
+    pub(crate) fn seen(&self) -> Vec<bool> {
+        let (processor, scale) = (self.processor, self.layout.scale);
+        match self.layout.storage {
+            Storage::Integer => self.turn(|b: &[u8; 8]| {
+                let [x, y, z, word] = [[b[0], b[1]], [b[2], b[3]], [b[4], b[5]], [b[6], b[7]]];
+                let place = [x, y, z].map(|bytes| f32::from(processor.i16(bytes)) * scale);
+                [processor.i16(word) >= 0 && is_place(&place)]
+            }),
+            Storage::Float => self.turn(|b: &[u8; 16]| {
+                let [x, y, z, word] = four(b, |bytes| processor.f32(bytes));
+                [!is_gap(word) && is_place(&[x, y, z])]
+            }),
+        }
+    }
+
     /// Returns every `step`th analog value from `first` on, of as many as a frame has samples.
     pub(crate) fn channel(&self, first: usize, step: usize, is_unsigned: bool) -> Vec<f64> {
         let processor = self.processor;

@@ -116,6 +116,12 @@ impl Table<'_> {
             self.trc.values.extend(std::iter::repeat_n(f64::NAN, missing));
             count += missing;
         }
+        for place in self.trc.values.get_mut(start..).unwrap_or_default().as_chunks_mut::<3>().0 {
+            if place.iter().any(|x| x.is_nan()) && !place.iter().all(|x| x.is_nan()) {
+                *place = [f64::NAN; 3];
+                self.trc.broken_places += 1;
+            }
+        }
         // Gaps at the end are what shorter rows have too.
         while count >= 3 && ends_with_gap(&self.trc.values) {
             self.trc.values.truncate(self.trc.values.len() - 3);
