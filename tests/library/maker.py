@@ -18,7 +18,7 @@ from tests.library.damage import damaged_within, some_broken_files
 
 WEIGHTS = {"amc": 6, "bvh": 8, "c3d": 4, "csm": 1, "trc": 1}
 WORDS = "walk run jump turn dance fight sit stand climb fall throw catch wave limp march".split()
-SUBJECTS = 12
+SKELETONS_PER_FOLDER = 2
 FILES_PER_FOLDER = 60
 WITHIN = "damaged within"
 """The kind of damage that only reading every number finds."""
@@ -67,6 +67,10 @@ class Cutter:
                 self.seen.add(key)
                 return take, start, start + length, take.cut(start, start + length)
 
+    def subject(self, take: Take) -> int:
+        """Return the number of who was recorded: one for each skeleton."""
+        return list(dict.fromkeys(other.asf for other in self.by_format["amc"])).index(take.asf) + 1
+
     def data(self, kind: str) -> bytes:
         """Return the file alone."""
         return self.cut(kind)[3]
@@ -81,22 +85,25 @@ def make(
     # One in ten of the broken ones looks like a whole file to everybody who does not read every number.
     within = broken // 10
     known: list[Truth] = []
-    skeletons: dict[tuple[str, int], str] = {}
+    performers: dict[str, list[Take]] = {}
     places = _places(cutter.chance)
     kinds = [kind for kind, weight in WEIGHTS.items() for _ in range(weight)]
     while len(known) + len(damaged) - within < clips - within:
         place, number = next(places)
         take, start, end, data = cutter.cut(cutter.chance.choice(kinds))
-        subject = cutter.by_format[take.format].index(take) % SUBJECTS + 1
         skeleton = None
         if take.asf is not None:
-            key = (place, cutter.by_format["amc"].index(take))
-            if key not in skeletons:
-                skeletons[key] = f"{place}/{subject:02}.asf"
-                _write(folder, skeletons[key], take.asf)
-                known.append(Truth(skeletons[key], "asf", frames=0))
-            skeleton = skeletons[key]
-            name = f"{subject:02}_{number:04}"
+            # The first take in a folder says who was recorded there; more would need more skeletons.
+            seen = performers.setdefault(place, [])
+            if take.asf not in [other.asf for other in seen] and len(seen) >= SKELETONS_PER_FOLDER:
+                continue
+            subject = cutter.subject(take)
+            skeleton = f"{place}/{subject:02}.asf"
+            if take.asf not in [other.asf for other in seen]:
+                seen.append(take)
+                _write(folder, skeleton, take.asf)
+                known.append(Truth(skeleton, "asf", frames=0))
+            name = f"{subject:02}_{number % 1000:03}"
         else:
             name = f"{cutter.chance.choice(WORDS)}_{number:04}"
         path = f"{place}/{name}.{take.format}"

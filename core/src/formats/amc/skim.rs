@@ -31,7 +31,7 @@ impl Amc {
             let (number, frame, next) = frame(source, at, &finder)?;
             let tally = Tally::of(frame);
             let shape = Tally { points: 0, ..tally };
-            let is_regular = !shape.is_odd && shape.words == words && shape.lines + 1 == amc.bones.len();
+            let is_regular = shape.words == words && shape.lines + 1 == amc.bones.len();
             let is_next = amc.first_frame.checked_add(count) == Some(number);
             if !is_next || !is_regular || tally.points > words || *wanted.get_or_insert(shape) != shape {
                 return None;

@@ -5,7 +5,7 @@ use super::{hierarchy, rows, Bvh, BvhMotion};
 use crate::infer::frames_to_look_at;
 use crate::number;
 use crate::tally::Tally;
-use crate::text::{is_blank, LARGEST};
+use crate::text::LARGEST;
 
 impl Bvh {
     /// Reads the hierarchy and only those frames that say how the figure stands; also returns how many there are.
@@ -25,7 +25,7 @@ impl Bvh {
         let mut values = Vec::new();
         let mut count = 0;
         for frame in frames_to_look_at(frames.len(), bvh.joints.len()) {
-            let words = frames.get(frame)?.split(|byte| is_blank(*byte)).filter(|word| !word.is_empty());
+            let words = frames.get(frame)?.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
             for word in words {
                 values.push(number::read(word).filter(|value| value.abs() <= LARGEST)?);
             }
@@ -37,6 +37,8 @@ impl Bvh {
 }
 
 /// Returns the lines of a text, blank ones left out, if all others look like so many numbers.
+///
+/// A carriage return within a line ends one too, but what it divides is one frame for the reader as well.
 fn lines_of_numbers(text: &[u8], width: usize) -> Option<Vec<&[u8]>> {
     let mut lines = Vec::new();
     let mut rest = text;
@@ -44,10 +46,8 @@ fn lines_of_numbers(text: &[u8], width: usize) -> Option<Vec<&[u8]>> {
         let length = memchr::memchr(b'\n', rest).unwrap_or(rest.len());
         let (line, later) = rest.split_at(length);
         rest = later.get(1..).unwrap_or_default();
-        let line = line.strip_suffix(b"\r").unwrap_or(line);
         let tally = Tally::of(line);
-        // A carriage return elsewhere ends a line too: that is for the reader.
-        if tally.words == 0 && tally.others == 0 && !line.contains(&b'\r') {
+        if tally.words == 0 {
             continue;
         }
         if !tally.is_numbers(width) {
@@ -55,7 +55,5 @@ fn lines_of_numbers(text: &[u8], width: usize) -> Option<Vec<&[u8]>> {
         }
         lines.push(line);
     }
-    // Once for all: hardly any file has one, and each line would have to be searched.
-    let has_inner_return = lines.iter().any(|line| memchr::memchr(b'\r', line).is_some());
-    (!has_inner_return).then_some(lines)
+    Some(lines)
 }

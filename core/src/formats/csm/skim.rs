@@ -23,8 +23,7 @@ impl Csm {
         let rows = Rows::of(table, |tally| {
             let dropouts = tally.others / of_dropout.others;
             let is_dropouts = tally.others == dropouts * of_dropout.others
-                && tally.sum == of_dropout.sum.wrapping_mul(dropouts as u8)
-                && tally.xor == if dropouts.is_multiple_of(2) { 0 } else { of_dropout.xor };
+                && tally.sum == of_dropout.sum.wrapping_mul(dropouts as u8);
             is_dropouts && tally.words + 2 * dropouts == 1 + 3 * sections.order.len()
         })?;
         let mut csm = Self::parse(&rows.reduced(head)).ok()?;
