@@ -5,6 +5,7 @@ use std::path::Path;
 use motion_theater_core::error::words;
 use motion_theater_core::loaded::LoadError;
 use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, ReadError};
+use motion_theater_library::LibraryError;
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -15,6 +16,7 @@ struct Types {
     parse: Py<PyType>,
     misfit: Py<PyType>,
     parameter: Py<PyType>,
+    library: Py<PyType>,
 }
 
 static TYPES: PyOnceLock<Types> = PyOnceLock::new();
@@ -30,6 +32,7 @@ fn types(py: Python<'_>) -> PyResult<&Types> {
             parse: new("ParseError", "A file is wrong; the text says where and why.")?,
             misfit: new("MisfitError", "A motion and a skeleton do not belong together.")?,
             parameter: new("ParameterError", "What was asked for makes no sense.")?,
+            library: new_type(&[&root], "LibraryError", "A library cannot be opened, read or written.")?.unbind(),
             root: root.unbind(),
         })
     })
@@ -54,6 +57,7 @@ pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
         ("ParseError", &types.parse),
         ("MisfitError", &types.misfit),
         ("ParameterError", &types.parameter),
+        ("LibraryError", &types.library),
     ] {
         module.add(name, class.bind(py))?;
     }
@@ -78,6 +82,15 @@ fn raise(
 /// A number or combination that makes no sense.
 pub fn parameter(error: &ParameterError) -> PyErr {
     Python::attach(|py| raise(py, |types| &types.parameter, error.to_string(), |_| Ok(())))
+}
+
+/// What can go wrong with a library.
+pub fn library(error: LibraryError) -> PyErr {
+    match error {
+        LibraryError::Io { path, source } => io(&path, &source),
+        LibraryError::Asked(reason) => parameter(&ParameterError(reason)),
+        other => Python::attach(|py| raise(py, |types| &types.library, other.to_string(), |_| Ok(()))),
+    }
 }
 
 /// A motion and a skeleton that do not belong together; `path` is the motion's file.

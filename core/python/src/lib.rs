@@ -29,6 +29,7 @@ mod writing;
 fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     errors::add_to(module)?;
+    library::add_to(module)?;
     module.add_class::<skeleton::PySkeleton>()?;
     module.add_class::<motion::PyMotion>()?;
     module.add_class::<markers::PyMarkers>()?;
