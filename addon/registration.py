@@ -16,6 +16,7 @@ from .operators import (
     import_motion_capture,
     import_skeleton,
     marker_edits,
+    sidecar,
     sources,
 )
 from .operators import filter as filter_operator
@@ -35,6 +36,7 @@ CLASSES = (
     *entries.CLASSES,
     *edits.CLASSES,
     *sources.CLASSES,
+    *sidecar.CLASSES,
     *import_markers.CLASSES,
     *marker_edits.CLASSES,
     *stack.CLASSES,

@@ -64,6 +64,8 @@ class MOTION_THEATER_MT_stack_specials(bpy.types.Menu):
         layout.operator("motion_theater.pack_sources", icon="PACKAGE")
         layout.operator("motion_theater.unpack_sources", icon="UGLYPACKAGE")
         layout.separator()
+        layout.operator("motion_theater.sidecar_edit", icon="TEXT")
+        layout.separator()
         layout.operator("motion_theater.rebuild", icon="FILE_REFRESH")
 
 

@@ -33,7 +33,13 @@ pub(super) fn replace(
         unfinished.persist(&target).map_err(|error| error.error)?;
         Ok(())
     };
-    write_all().map_err(not_saved)
+    write_all().map_err(|error| not_saved(plain(error)))
+}
+
+/// Returns what the system itself said: `tempfile` adds the name of its file, which tells nobody anything.
+fn plain(error: io::Error) -> io::Error {
+    let inner = error.get_ref().and_then(std::error::Error::source).and_then(|inner| inner.downcast_ref::<io::Error>());
+    inner.and_then(io::Error::raw_os_error).map_or(error, io::Error::from_raw_os_error)
 }
 
 /// Returns the file that a path stands for, through links, also where the last of them leads to nothing yet.
