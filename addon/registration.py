@@ -18,6 +18,7 @@ from .operators import (
     marker_edits,
     sidecar,
     sources,
+    stack_files,
 )
 from .operators import filter as filter_operator
 from .panels import combine, entry, files, filters, markers, stack
@@ -36,6 +37,7 @@ CLASSES = (
     *entries.CLASSES,
     *edits.CLASSES,
     *sources.CLASSES,
+    *stack_files.CLASSES,
     *sidecar.CLASSES,
     *import_markers.CLASSES,
     *marker_edits.CLASSES,

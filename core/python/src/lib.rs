@@ -58,6 +58,5 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(evaluation::evaluate, module)?)?;
     module.add_function(wrap_pyfunction!(recipe::parse_recipe, module)?)?;
     module.add_function(wrap_pyfunction!(recipe::format_recipe, module)?)?;
-    library::add_to(module)?;
     module.add_function(wrap_pyfunction!(evaluation::digest, module)?)
 }

@@ -4,6 +4,8 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use tempfile::NamedTempFile;
+
 use super::SidecarError;
 
 /// Links that lead to links are followed so many times.
@@ -24,7 +26,7 @@ pub(super) fn replace(
     }
     let write_all = || {
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut unfinished = builder().prefix(".sidecar-").suffix(".part").tempfile_in(folder)?;
+        let mut unfinished = unfinished_in(folder)?;
         write(unfinished.as_file_mut(), bytes)?;
         if let Some(old) = old {
             unfinished.as_file().set_permissions(old)?;
@@ -33,13 +35,17 @@ pub(super) fn replace(
         unfinished.persist(&target).map_err(|error| error.error)?;
         Ok(())
     };
-    write_all().map_err(|error| not_saved(plain(error)))
+    write_all().map_err(not_saved)
 }
 
-/// Returns what the system itself said: `tempfile` adds the name of its file, which tells nobody anything.
-fn plain(error: io::Error) -> io::Error {
-    let inner = error.get_ref().and_then(std::error::Error::source).and_then(|inner| inner.downcast_ref::<io::Error>());
-    inner.and_then(io::Error::raw_os_error).map_or(error, io::Error::from_raw_os_error)
+/// Makes a file that is removed again unless it takes the place of another. Whoever may read any new file may read it, where
+/// `tempfile` by itself makes one for its owner alone.
+fn unfinished_in(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut code = None;
+    let create = |path: &Path| File::create_new(path).inspect_err(|error| code = error.raw_os_error());
+    let made = tempfile::Builder::new().prefix(".sidecar-").suffix(".part").make_in(folder, create);
+    // What the system said comes back inside a message with a name that tells nobody anything.
+    made.map_err(|error| code.map_or(error, io::Error::from_raw_os_error))
 }
 
 /// Returns the file that a path stands for, through links, also where the last of them leads to nothing yet.
@@ -52,18 +58,4 @@ fn target_of(path: &Path) -> io::Result<PathBuf> {
         }
     }
     Err(io::Error::other("links that lead in a circle"))
-}
-
-/// A new file that may be read by whoever may read any other new file; by itself a temporary one is the owner's alone.
-#[cfg(unix)]
-fn builder() -> tempfile::Builder<'static, 'static> {
-    use std::os::unix::fs::PermissionsExt;
-    let mut builder = tempfile::Builder::new();
-    builder.permissions(fs::Permissions::from_mode(0o666));
-    builder
-}
-
-#[cfg(not(unix))]
-fn builder() -> tempfile::Builder<'static, 'static> {
-    tempfile::Builder::new()
 }

@@ -1,4 +1,4 @@
-//! `motion_theater.Library`, figures: each method converts, releases the interpreter and calls the library's crate once.
+//! `motion_theater.Library`: each method converts, releases the interpreter and calls the library's crate once.
 
 mod clip;
 mod edits;
@@ -33,7 +33,7 @@ pub struct PyLibraryFolder {
     scanned_at: Option<i64>,
 }
 
-/// Adds the classes to the module.
+/// Adds the classes and functions to the module.
 pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyLibrary>()?;
     module.add_class::<PyLibraryFolder>()?;

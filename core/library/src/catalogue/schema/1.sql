@@ -49,6 +49,18 @@ CREATE TABLE clip (
 CREATE INDEX clip_folder ON clip (folder_id);
 CREATE INDEX clip_content ON clip (content_hash);
 
+-- What searches go through, in the order of the names: all that numbers, dates and flags of a query ask for, and all that
+-- clips are sorted by. A search reads these rows and not those of `clip`, which are five times as long.
+CREATE INDEX clip_facts ON clip (
+    name COLLATE NOCASE, id, format, frames, rate_hz, duration_s, joints, markers, height_m, recorded_on, cleaned, rating,
+    is_favourite, is_missing, size, modified_ns, used_at
+);
+CREATE INDEX clip_subject ON clip (subject);
+CREATE INDEX clip_group ON clip (session_group);
+CREATE INDEX clip_skeleton ON clip (skeleton_fingerprint, skeleton_path);
+CREATE INDEX clip_described ON clip (id) WHERE description > '';
+CREATE INDEX clip_broken ON clip (id) WHERE error IS NOT NULL;
+
 -- What each source says of a clip. The order of trust is USER, SIDECAR, INDEX, FILE.
 CREATE TABLE told (
     clip_id INTEGER NOT NULL REFERENCES clip (id) ON DELETE CASCADE,
@@ -88,7 +100,8 @@ CREATE VIRTUAL TABLE clip_text USING fts5 (
 
 CREATE VIEW clip_words AS
 SELECT id, name, folder, subject, description, session_group,
-    (SELECT group_concat(tag.name, ' | ') FROM clip_tag JOIN tag ON tag.id = tag_id WHERE clip_id = clip.id) AS tags
+    -- Between two tags a character for private use, a word of its own: no phrase runs from one tag into the next.
+    (SELECT group_concat(tag.name, ' ' || char(0xE000) || ' ') FROM clip_tag JOIN tag ON tag.id = tag_id WHERE clip_id = clip.id) AS tags
 FROM clip;
 
 CREATE TRIGGER clip_added AFTER INSERT ON clip BEGIN
