@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import datetime
-import getpass
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -30,7 +28,7 @@ def save(sidecar: Sidecar, values: Mapping[str, str]) -> bool:
             sidecar.set(name, value)
         if not sidecar.is_edited:
             return False
-        sidecar.stamp(datetime.date.today().isoformat(), user())
+        sidecar.stamp()
         sidecar.save()
     except (OSError, motion_theater.MotionTheaterError) as error:
         raise UserError(explained(error) or str(error)) from error
@@ -44,11 +42,3 @@ def is_cleaned_word(value: str) -> bool:
     except motion_theater.ParameterError:
         return False
     return True
-
-
-def user() -> str:
-    """Return the name under which the user is known to the system; empty where it knows none."""
-    try:
-        return getpass.getuser()
-    except (OSError, KeyError, ImportError):
-        return ""

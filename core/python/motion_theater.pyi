@@ -709,9 +709,10 @@ class Library:
         """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
 
     def mark_used(self, id: int) -> None: ...
-    def write_sidecar(self, id: int, today: str, who: str) -> str:
+    def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
         """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
-        means the same already, and what the library does not know, stays as it is. `today` is an ISO date."""
+        means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
+        those of the system where they are not given."""
 
 SIDECAR_LABELS: dict[str, str]
 """The fields of a sidecar in order: "last_change": "Last changed on"."""
@@ -737,8 +738,9 @@ class Sidecar:
 
     def set(self, field: str, value: str) -> None:
         """Edit one field; nothing is on disk before `save`. *Cleaned* is empty or one of J, Ja, Y, Yes, N, Nein, No."""
-    def stamp(self, today: str, who: str) -> None:
-        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this."""
+    def stamp(self, *, today: str | None = None, who: str | None = None) -> None:
+        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this. Both are those
+        of the system where they are not given."""
     def save(self) -> None:
         """Write the file as a whole or not at all. Permissions, encoding and line ends stay."""
     def to_bytes(self) -> bytes:

@@ -46,7 +46,7 @@ def test_a_new_one_has_eleven_lines_with_what_the_clip_tells(clip: Path) -> None
     sidecar.set("date", "2004-05-31")
     sidecar.set("cleaned", "ja")
     sidecar.set("usable_segments", "20-80, 90-110 (waves)")
-    sidecar.stamp("2004-06-01", "jo")
+    sidecar.stamp(today="2004-06-01", who="jo")
     assert not clip.with_suffix(".i3d").exists()
     sidecar.save()
     assert clip.with_suffix(".i3d").read_text("utf-8").splitlines() == [
@@ -221,7 +221,7 @@ def test_the_library_writes_what_it_knows_and_keeps_what_means_the_same(clip: Pa
         {"subject": "Jo", "recorded_on": "2004-05-31", "cleaned": True, "description": "a\nb", "session_group": "g"},
     )
     library.set_segments(row.id, [(1, 5), (7, 9)])
-    assert library.write_sidecar(row.id, "2004-06-01", "ann") == str(sidecar)
+    assert library.write_sidecar(row.id, today="2004-06-01", who="ann") == str(sidecar)
     assert sidecar.read_bytes().decode().split("\r\n") == [
         "Datum: 31.5.2004",
         "Group: g",
@@ -235,4 +235,4 @@ def test_the_library_writes_what_it_knows_and_keeps_what_means_the_same(clip: Pa
         "",
     ]
     with pytest.raises(mt.ParameterError, match="the library has no clip 99"):
-        library.write_sidecar(99, "2004-06-01", "ann")
+        library.write_sidecar(99)

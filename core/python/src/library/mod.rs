@@ -121,8 +121,10 @@ impl PyLibrary {
         self.with(py, |library| library.mark_used(id))
     }
 
-    fn write_sidecar(&self, py: Python<'_>, id: i64, today: &str, who: &str) -> PyResult<OsString> {
-        Ok(self.with(py, |library| library.write_sidecar(id, today, who))?.into_os_string())
+    #[pyo3(signature = (id, *, today=None, who=None))]
+    fn write_sidecar(&self, py: Python<'_>, id: i64, today: Option<String>, who: Option<String>) -> PyResult<OsString> {
+        let (today, who) = sidecar::stamp_of(py, today, who)?;
+        Ok(self.with(py, |library| library.write_sidecar(id, &today, &who))?.into_os_string())
     }
 
     fn __repr__(&self) -> String {

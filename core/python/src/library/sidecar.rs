@@ -32,6 +32,15 @@ pub fn sidecar_cleaned(value: &str) -> PyResult<Option<bool>> {
     cleaned(value).map_err(|error| errors::sidecar(error.into()))
 }
 
+/// Returns the day and the name to write; those that Python knows where none are given, for it knows the time zone.
+pub fn stamp_of(py: Python<'_>, today: Option<String>, who: Option<String>) -> PyResult<(String, String)> {
+    let local_day =
+        || py.import("datetime")?.getattr("date")?.call_method0("today")?.call_method0("isoformat")?.extract();
+    // A system may know no name of the user.
+    let name = || py.import("getpass").and_then(|module| module.call_method0("getuser")?.extract()).unwrap_or_default();
+    Ok((today.map_or_else(local_day, Ok)?, who.unwrap_or_else(name)))
+}
+
 /// Adds what this file has to the module.
 pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let labels = PyDict::new(module.py());
@@ -89,8 +98,10 @@ impl PySidecar {
         self.0.sidecar.set(known, value).map_err(|error| errors::sidecar(error.into()))
     }
 
-    fn stamp(&mut self, today: &str, who: &str) -> PyResult<()> {
-        self.0.stamp(today, who).map_err(errors::sidecar)
+    #[pyo3(signature = (*, today=None, who=None))]
+    fn stamp(&mut self, py: Python<'_>, today: Option<String>, who: Option<String>) -> PyResult<()> {
+        let (today, who) = stamp_of(py, today, who)?;
+        self.0.stamp(&today, &who).map_err(errors::sidecar)
     }
 
     fn save(&mut self, py: Python<'_>) -> PyResult<()> {
