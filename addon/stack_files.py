@@ -111,7 +111,7 @@ class _Writer:
 
 def _skeletons_beside(path: str) -> list[str]:
     try:
-        return [sources.find_skeleton(path, sources.read_file(path))[1]]
+        return [sources.find_skeleton(path, sources.read_file(path), may_guess=False).skeleton.clip.path]
     except UserError:
         return []
 

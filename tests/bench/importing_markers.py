@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 import bpy
 import numpy as np
-from numpy.typing import NDArray
 
 import motion_theater as mt
 from tests import harness
@@ -30,7 +29,7 @@ def measure() -> Iterator[Row]:
         def ours(clip: mt.Clip = clip) -> None:
             harness.module("markers").import_markers(bpy.context, clip, rate="SCENE")
 
-        def theirs(numbers: NDArray[np.float32] = numbers, seen: NDArray[np.bool_] = seen) -> None:
+        def theirs(numbers: np.ndarray = numbers, seen: np.ndarray = seen) -> None:
             _write_bare(numbers, seen)
 
         ours_s, theirs_s = medians_s(ours, theirs, prepare=harness.empty_file, runs=RUNS)
@@ -49,7 +48,7 @@ def _recording(gaps: int) -> bytes:
     return mt.Markers(names, positions, rate_hz=RATE_HZ, up=(0.0, 0.0, 1.0)).to_bytes("c3d")
 
 
-def _write_bare(numbers: NDArray[np.float32], seen: NDArray[np.bool_]) -> None:
+def _write_bare(numbers: np.ndarray, seen: np.ndarray) -> None:
     """Write linear keys where markers are seen, and constant ones on their scale where they come and go."""
     compat, frames = harness.module("compat"), np.arange(1, FRAMES + 1, dtype=np.float32)
     ob = bpy.data.objects.new("bare", bpy.data.armatures.new("bare"))

@@ -52,4 +52,9 @@ def _against_ezc3d(files: list[Path]) -> Row:
         ratios[path] = theirs_s / ours_s, f"{ms(ours_s)}, {ms(theirs_s)}"
     worst = min(ratios, key=lambda path: ratios[path][0])
     ratio, detail = ratios[worst]
-    return Row("C3D file read and decoded, against ezc3d, the worst of all", ratio, 5, detail=f"of {len(ratios)}, {worst.name}: {detail}")
+    return Row(
+        "C3D file read and decoded, against ezc3d, the worst of all",
+        ratio,
+        5,
+        detail=f"of {len(ratios)}, {worst.name}: {detail}",
+    )

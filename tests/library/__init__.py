@@ -1,1 +1,1 @@
-"""The library of clips: figures, previews; needs no Blender."""
+"""The library: a folder of thousands of clips, scans that are killed, and what the database holds afterwards."""
