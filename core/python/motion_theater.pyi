@@ -35,6 +35,7 @@ __all__ = [
     "Notice",
     "ParameterError",
     "ParseError",
+    "Preview",
     "ResultChannel",
     "Rig",
     "Scan",
@@ -713,6 +714,24 @@ class Library:
         """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
         means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
         those of the system where they are not given."""
+
+    def still(self, id: int) -> NDArray[np.uint8] | None:
+        """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours not
+        multiplied by opacity. None where it has not been drawn (`scan`)."""
+
+    def strip(self, id: int) -> Preview | None:
+        """The liveliest seconds of a clip. None where it has not been drawn (`scan`)."""
+
+@final
+class Preview:
+    """A moving strip of a clip, at the speed of the clip."""
+
+    frames: NDArray[np.uint8]
+    """(frames, height, width, 4), as a `still`."""
+    rate_hz: float
+    """How many frames make a second."""
+    still_frame: int
+    """The file's own number of the frame that the still shows."""
 
 SIDECAR_LABELS: dict[str, str]
 """The fields of a sidecar in order: "last_change": "Last changed on"."""

@@ -3,11 +3,13 @@
 //! It is a cache: it may be thrown away at any time, and is where it is of no use. What was not looked at for longest goes
 //! when there is no more room.
 
-use super::{Preview, MADE_BY};
+use super::{make, Preview, MADE_BY};
 use crate::catalogue::now;
 use crate::error::LibraryError;
+use motion_theater_core::loaded::Loaded;
 use rusqlite::{Connection, ErrorCode, OptionalExtension, Row, TransactionBehavior};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
@@ -26,6 +28,9 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// When a preview was used is noted once in this many seconds: to look must not mean to write.
 const USE_STEP_S: i64 = 3600;
 
+/// So many times it is looked whether there is room while it fills.
+const LOOKS_AT_ROOM: u64 = 64;
+
 /// Connections that are kept for the next call.
 const MOST_IDLE: usize = 4;
 
@@ -34,6 +39,9 @@ const MOST_IDLE: usize = 4;
 pub struct PreviewCache {
     path: PathBuf,
     idle: Mutex<Vec<Connection>>,
+    most_bytes: u64,
+    /// How much has come since it was last looked whether there is room.
+    added: AtomicU64,
 }
 
 impl PreviewCache {
@@ -44,14 +52,14 @@ impl PreviewCache {
     pub fn beside(library: &Path) -> Result<Self, LibraryError> {
         let mut name = library.file_stem().unwrap_or_default().to_owned();
         name.push("-previews.sqlite");
-        Self::open(&library.with_file_name(name))
+        Self::open(&library.with_file_name(name), MOST_BYTES)
     }
 
-    /// Opens a cache, and makes it where there is none. A damaged one is made anew.
+    /// Opens a cache whose pictures take about `most_bytes`, and makes it where there is none. A damaged one is made anew.
     ///
     /// # Errors
     /// Where it cannot be written, or the file is something else, which is left as it is.
-    pub fn open(path: &Path) -> Result<Self, LibraryError> {
+    pub fn open(path: &Path, most_bytes: u64) -> Result<Self, LibraryError> {
         let connection = connect(path).or_else(|error| {
             if !matches!(error, LibraryError::Damaged(_)) {
                 return Err(error);
@@ -59,7 +67,9 @@ impl PreviewCache {
             discard(path)?;
             connect(path)
         })?;
-        Ok(Self { path: path.to_owned(), idle: Mutex::new(vec![connection]) })
+        // At first the room is looked over, for another program may have filled it.
+        let added = AtomicU64::new(most_bytes);
+        Ok(Self { path: path.to_owned(), idle: Mutex::new(vec![connection]), most_bytes, added })
     }
 
     /// Returns which of the hashes have no preview of this version.
@@ -108,32 +118,40 @@ impl PreviewCache {
         })
     }
 
-    /// Keeps previews, all or none of them, and lets go of those that were not used for longest until the pictures take
-    /// no more than `most_bytes` (usually [`MOST_BYTES`]).
+    /// Draws what a file with that content holds, and keeps it. A motion without a skeleton cannot be drawn, and has none.
     ///
     /// # Errors
     /// Where the database fails.
-    pub fn put(&self, previews: &[(ContentHash, Preview)], most_bytes: u64) -> Result<(), LibraryError> {
+    pub fn make(&self, hash: &ContentHash, loaded: &Loaded) -> Result<(), LibraryError> {
+        make(loaded).map_or(Ok(()), |preview| self.put(hash, &preview))
+    }
+
+    /// Keeps a preview, and lets go of those that were not used for longest where there is no more room.
+    ///
+    /// # Errors
+    /// Where the database fails.
+    pub fn put(&self, hash: &ContentHash, made: &Preview) -> Result<(), LibraryError> {
+        let bytes = (made.still.len() + made.strip.len()) as u64;
+        let added = self.added.fetch_add(bytes, Ordering::Relaxed) + bytes;
         self.with_connection(|db| {
             let db = db.transaction_with_behavior(TransactionBehavior::Immediate)?;
-            let used_at = now();
-            for (hash, made) in previews {
-                db.prepare_cached("INSERT OR REPLACE INTO preview VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")?.execute(
-                    (
-                        hash,
-                        MADE_BY,
-                        made.frame,
-                        made.width,
-                        made.height,
-                        &made.still,
-                        &made.strip,
-                        made.strip_frames,
-                        made.strip_rate_hz,
-                        used_at,
-                    ),
-                )?;
+            db.prepare_cached("INSERT OR REPLACE INTO preview VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")?.execute((
+                hash,
+                MADE_BY,
+                made.frame,
+                made.width,
+                made.height,
+                &made.still,
+                &made.strip,
+                made.strip_frames,
+                made.strip_rate_hz,
+                now(),
+            ))?;
+            // To add up the sizes of all takes longer than to keep one more.
+            if added >= self.most_bytes / LOOKS_AT_ROOM {
+                trim(&db, self.most_bytes)?;
+                self.added.store(0, Ordering::Relaxed);
             }
-            trim(&db, most_bytes)?;
             Ok(db.commit()?)
         })
     }
@@ -262,7 +280,7 @@ mod tests {
     fn what_is_put_is_got_by_the_content_of_the_file() {
         let folder = tempfile::tempdir().unwrap();
         let cache = PreviewCache::beside(&folder.path().join("clips.sqlite")).unwrap();
-        cache.put(&[(hash(1), preview(10))], MOST_BYTES).unwrap();
+        cache.put(&hash(1), &preview(10)).unwrap();
         assert!(folder.path().join("clips-previews.sqlite").is_file());
         assert_eq!(cache.get(&hash(1)).unwrap(), Some(preview(10)));
         assert_eq!(cache.still(&hash(1)).unwrap(), Some(vec![1, 2, 3]));
@@ -273,15 +291,14 @@ mod tests {
     #[test]
     fn what_was_not_used_for_longest_goes_first() {
         let folder = tempfile::tempdir().unwrap();
-        let cache = PreviewCache::open(&folder.path().join("p.sqlite")).unwrap();
-        let all: Vec<_> = (1..=4).map(|number| (hash(number), preview(997))).collect();
-        cache.put(&all, MOST_BYTES).unwrap();
+        let cache = PreviewCache::open(&folder.path().join("p.sqlite"), 4000).unwrap();
         for number in 1..=4 {
+            cache.put(&hash(number), &preview(997)).unwrap();
             set_used_at(&cache, number, i64::from(number));
         }
         // The first is looked at, and counts as used now.
         assert!(cache.get(&hash(1)).unwrap().is_some());
-        cache.put(&[(hash(5), preview(997))], 3000).unwrap();
+        cache.put(&hash(5), &preview(1997)).unwrap();
         let missing = cache.missing(&[1, 2, 3, 4, 5].map(hash)).unwrap();
         assert_eq!(missing, [hash(2), hash(3)]);
     }
@@ -289,33 +306,54 @@ mod tests {
     #[test]
     fn previews_of_another_version_are_none_and_go_before_all_others() {
         let folder = tempfile::tempdir().unwrap();
-        let cache = PreviewCache::open(&folder.path().join("p.sqlite")).unwrap();
-        cache.put(&[(hash(1), preview(997)), (hash(2), preview(997))], MOST_BYTES).unwrap();
+        let cache = PreviewCache::open(&folder.path().join("p.sqlite"), 2000).unwrap();
+        cache.put(&hash(1), &preview(997)).unwrap();
+        cache.put(&hash(2), &preview(997)).unwrap();
         let sql = "UPDATE preview SET made_by = made_by + 1 WHERE content_hash = ?";
         cache.with_connection(|db| Ok(db.execute(sql, [hash(2)])?)).unwrap();
         assert_eq!(cache.still(&hash(2)).unwrap(), None);
-        cache.put(&[(hash(3), preview(997))], 2000).unwrap();
+        cache.put(&hash(3), &preview(997)).unwrap();
         let count = |db: &mut Connection| Ok(db.query_row("SELECT count(*) FROM preview", (), |row| row.get(0))?);
         assert_eq!(cache.with_connection::<i64>(count).unwrap(), 2);
         assert_eq!(cache.missing(&[hash(1), hash(3)]).unwrap(), [] as [ContentHash; 0]);
     }
 
     #[test]
+    fn a_cache_that_turns_out_to_be_damaged_is_empty_the_next_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("p.sqlite");
+        let cache = PreviewCache::open(&path, MOST_BYTES).unwrap();
+        for number in 1..=40 {
+            cache.put(&hash(number), &preview(5000)).unwrap();
+        }
+        drop(cache);
+        let mut bytes = std::fs::read(&path).unwrap();
+        bytes[4096..].fill(0xAA);
+        std::fs::write(&path, bytes).unwrap();
+        let cache = PreviewCache::open(&path, MOST_BYTES).unwrap();
+        assert!(matches!(cache.get(&hash(1)), Err(LibraryError::Damaged(_))));
+        assert_eq!(cache.get(&hash(1)).unwrap(), None);
+        cache.put(&hash(1), &preview(5)).unwrap();
+        assert_eq!(cache.get(&hash(1)).unwrap(), Some(preview(5)));
+    }
+
+    #[test]
     fn a_damaged_cache_is_made_anew_and_a_foreign_file_is_left() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.sqlite");
-        let all: Vec<_> = (1..=40).map(|number| (hash(number), preview(5000))).collect();
-        PreviewCache::open(&path).unwrap().put(&all, MOST_BYTES).unwrap();
+        for number in 1..=40 {
+            PreviewCache::open(&path, MOST_BYTES).unwrap().put(&hash(number), &preview(5000)).unwrap();
+        }
         let mut bytes = std::fs::read(&path).unwrap();
         bytes[100..4096].fill(0xAA);
         std::fs::write(&path, bytes).unwrap();
-        let cache = PreviewCache::open(&path).unwrap();
+        let cache = PreviewCache::open(&path, MOST_BYTES).unwrap();
         assert_eq!(cache.missing(&[hash(1)]).unwrap(), [hash(1)]);
-        cache.put(&[(hash(1), preview(5))], MOST_BYTES).unwrap();
+        cache.put(&hash(1), &preview(5)).unwrap();
         let foreign = folder.path().join("text.sqlite");
         std::fs::write(&foreign, "somebody's notes, which are long enough to be taken for a header of a database file")
             .unwrap();
-        assert!(matches!(PreviewCache::open(&foreign), Err(LibraryError::NotALibrary { .. })));
+        assert!(matches!(PreviewCache::open(&foreign, MOST_BYTES), Err(LibraryError::NotALibrary { .. })));
         assert!(std::fs::read_to_string(&foreign).unwrap().starts_with("somebody's notes"));
     }
 }

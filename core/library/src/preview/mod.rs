@@ -7,6 +7,7 @@
 //! | `scene`, `limbs`, `canvas` | floor, way, limbs and markers, from far to near |
 //! | `pack` | pixels to PNG and back |
 //! | `cache` | made once, kept until there is no room |
+//! | `of_library` | those of a library's clips |
 
 mod cache;
 mod camera;
@@ -14,10 +15,12 @@ mod canvas;
 mod head;
 mod limbs;
 mod moments;
+mod of_library;
 mod pack;
 mod scene;
 
-pub use cache::{PreviewCache, MOST_BYTES};
+pub use cache::{ContentHash, PreviewCache, MOST_BYTES};
+pub use of_library::Strip;
 pub use pack::{unpack, Frames};
 
 use crate::figure::Actor;
