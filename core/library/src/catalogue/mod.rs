@@ -17,7 +17,7 @@ pub use rows::ClipRow;
 pub use told::{Field, Source};
 
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use rusqlite::{Connection, OptionalExtension, Transaction, TransactionBehavior};
@@ -33,7 +33,7 @@ const MOST_IDLE: usize = 4;
 pub struct Library {
     path: PathBuf,
     idle: Mutex<Vec<Connection>>,
-    pub(crate) previews: OnceLock<PreviewCache>,
+    pub(crate) previews: OnceLock<Arc<PreviewCache>>,
 }
 
 impl Library {

@@ -6,6 +6,7 @@
 use super::{make, Preview, MADE_BY};
 use crate::catalogue::now;
 use crate::error::LibraryError;
+use crate::scan::Previews;
 use motion_theater_core::loaded::Loaded;
 use rusqlite::{Connection, ErrorCode, OptionalExtension, Row, TransactionBehavior};
 use std::path::{Path, PathBuf};
@@ -34,7 +35,8 @@ const LOOKS_AT_ROOM: u64 = 64;
 /// Connections that are kept for the next call.
 const MOST_IDLE: usize = 4;
 
-/// Previews by the content of files. One that turns out to be damaged is thrown away. May be used by many threads, and by several programs, at a time.
+/// Previews by the content of files. A cache that turns out to be damaged is thrown away. May be used by many threads, and
+/// by several programs, at a time.
 #[derive(Debug)]
 pub struct PreviewCache {
     path: PathBuf,
@@ -72,23 +74,6 @@ impl PreviewCache {
         Ok(Self { path: path.to_owned(), idle: Mutex::new(vec![connection]), most_bytes, added })
     }
 
-    /// Returns which of the hashes have no preview of this version.
-    ///
-    /// # Errors
-    /// Where the database fails.
-    pub fn missing(&self, hashes: &[ContentHash]) -> Result<Vec<ContentHash>, LibraryError> {
-        self.with_connection(|db| {
-            let mut find = db.prepare_cached("SELECT 1 FROM preview WHERE content_hash = ? AND made_by = ?")?;
-            let mut missing = Vec::new();
-            for hash in hashes {
-                if !find.exists((hash, MADE_BY))? {
-                    missing.push(*hash);
-                }
-            }
-            Ok(missing)
-        })
-    }
-
     /// Returns the preview of a file with that content.
     ///
     /// # Errors
@@ -116,14 +101,6 @@ impl PreviewCache {
             note_use(db, hash, used_at);
             Ok(Some(still))
         })
-    }
-
-    /// Draws what a file with that content holds, and keeps it. A motion without a skeleton cannot be drawn, and has none.
-    ///
-    /// # Errors
-    /// Where the database fails.
-    pub fn make(&self, hash: &ContentHash, loaded: &Loaded) -> Result<(), LibraryError> {
-        make(loaded).map_or(Ok(()), |preview| self.put(hash, &preview))
     }
 
     /// Keeps a preview, and lets go of those that were not used for longest where there is no more room.
@@ -172,6 +149,26 @@ impl PreviewCache {
             idle().push(connection);
         }
         result
+    }
+}
+
+impl Previews for PreviewCache {
+    fn missing(&self, hashes: &[ContentHash]) -> Result<Vec<ContentHash>, LibraryError> {
+        self.with_connection(|db| {
+            let mut find = db.prepare_cached("SELECT 1 FROM preview WHERE content_hash = ? AND made_by = ?")?;
+            let mut missing = Vec::new();
+            for hash in hashes {
+                if !find.exists((hash, MADE_BY))? {
+                    missing.push(*hash);
+                }
+            }
+            Ok(missing)
+        })
+    }
+
+    fn make(&self, hash: &ContentHash, loaded: &Loaded) -> Result<(), LibraryError> {
+        // A motion without a skeleton has no picture.
+        make(loaded).map_or(Ok(()), |preview| self.put(hash, &preview))
     }
 }
 
@@ -323,9 +320,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.sqlite");
         let cache = PreviewCache::open(&path, MOST_BYTES).unwrap();
-        for number in 1..=40 {
-            cache.put(&hash(number), &preview(5000)).unwrap();
-        }
+        cache.put(&hash(1), &preview(50_000)).unwrap();
         drop(cache);
         let mut bytes = std::fs::read(&path).unwrap();
         bytes[4096..].fill(0xAA);
@@ -341,9 +336,7 @@ mod tests {
     fn a_damaged_cache_is_made_anew_and_a_foreign_file_is_left() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.sqlite");
-        for number in 1..=40 {
-            PreviewCache::open(&path, MOST_BYTES).unwrap().put(&hash(number), &preview(5000)).unwrap();
-        }
+        PreviewCache::open(&path, MOST_BYTES).unwrap().put(&hash(1), &preview(5000)).unwrap();
         let mut bytes = std::fs::read(&path).unwrap();
         bytes[100..4096].fill(0xAA);
         std::fs::write(&path, bytes).unwrap();

@@ -4,6 +4,7 @@ use super::{unpack, ContentHash, Frames, PreviewCache};
 use crate::catalogue::Library;
 use crate::error::LibraryError;
 use rusqlite::OptionalExtension;
+use std::sync::Arc;
 
 /// A moving strip, unpacked.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,11 +22,11 @@ impl Library {
     ///
     /// # Errors
     /// Where it cannot be written.
-    pub fn previews(&self) -> Result<&PreviewCache, LibraryError> {
+    pub fn previews(&self) -> Result<&Arc<PreviewCache>, LibraryError> {
         if let Some(known) = self.previews.get() {
             return Ok(known);
         }
-        let opened = PreviewCache::beside(self.path())?;
+        let opened = Arc::new(PreviewCache::beside(self.path())?);
         Ok(self.previews.get_or_init(|| opened))
     }
 
