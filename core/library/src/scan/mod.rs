@@ -8,6 +8,7 @@
 mod plan;
 mod progress;
 mod reading;
+mod sidecars;
 mod skeletons;
 mod walk;
 mod writer;
@@ -123,6 +124,7 @@ fn run(library: &Library, folders: &[PathBuf], jobs: Option<usize>, state: &Stat
     library.write(|db| writer::mark(db, &plan, state))?;
     state.enter(Phase::Reading);
     read_all(library, &plan, jobs, state)?;
+    sidecars::take_in(library, folders, &plan.sidecars, state)?;
     if state.is_cancelled() {
         return Ok(());
     }
