@@ -7,6 +7,7 @@ use motion_theater_core::read::Format;
 use rusqlite::{params, Connection, OptionalExtension};
 
 use super::progress::{count, State};
+use super::sidecars;
 use super::skeletons::Skeletons;
 use super::walk::{begins_as_motion, files, Found, Step};
 use crate::catalogue::paths;
@@ -25,6 +26,8 @@ pub(super) struct Plan {
     /// Clips that are gone.
     pub(super) gone: HashSet<i64>,
     pub(super) skeletons: Skeletons,
+    /// The sidecars in the folders, whether changed or not.
+    pub(super) sidecars: Vec<Found>,
 }
 
 /// What the library knows of a file at some path.
@@ -46,6 +49,7 @@ pub(super) fn make(db: &Connection, folders: &[PathBuf], state: &State) -> Resul
                 return Ok(plan);
             }
             match step {
+                Step::File(found) if sidecars::is_sidecar(&found.path) => plan.sidecars.push(found),
                 Step::File(found) => plan.look_at(db, found, &mut seen, &mut other_skeletons, state)?,
                 Step::Closed(folder) => closed.push(folder),
             }
@@ -56,6 +60,7 @@ pub(super) fn make(db: &Connection, folders: &[PathBuf], state: &State) -> Resul
     }
     plan.know_distant_skeletons(db, folders)?;
     plan.pair_anew(db, &other_skeletons, state)?;
+    plan.pair_by_sidecars(db, folders, state)?;
     Ok(plan)
 }
 
@@ -156,6 +161,21 @@ impl Plan {
             if is_other && !is_gone(&path) && listed.insert(path.clone()) {
                 count(&state.total);
                 self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)? });
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads motions again whose sidecars may name another skeleton now.
+    fn pair_by_sidecars(&mut self, db: &Connection, folders: &[PathBuf], state: &State) -> Result<(), LibraryError> {
+        let mut listed: HashSet<PathBuf> = self.to_read.iter().map(|found| found.path.clone()).collect();
+        for stale in sidecars::stale(db, folders, &self.sidecars)? {
+            for clip in sidecars::beside(db, &stale)? {
+                let is_motion = clip.format == Format::Amc.extension() && !is_gone(&clip.found.path);
+                if is_motion && listed.insert(clip.found.path.clone()) {
+                    count(&state.total);
+                    self.to_read.push(clip.found);
+                }
             }
         }
         Ok(())

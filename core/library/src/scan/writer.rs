@@ -8,6 +8,7 @@ use rusqlite::{params, Connection, OptionalExtension, Transaction};
 use super::plan::{is_gone, Plan};
 use super::progress::{count, State};
 use super::reading::Reading;
+use super::sidecars;
 use crate::catalogue::told::{put_in_force, tell};
 use crate::catalogue::{now, paths, Field, Source};
 use crate::error::LibraryError;
@@ -59,6 +60,7 @@ pub(super) fn write(
         count(&state.broken);
     }
     let says = reading.outcome.as_ref().map_or(&[][..], |(facts, _)| &facts.says);
+    sidecars::forget(db, &reading.found.path)?;
     match place {
         Place::New => {
             count(&state.new);
@@ -81,6 +83,7 @@ pub(super) fn write(
                 state.missing.fetch_sub(1, Ordering::Relaxed);
             }
             put(db, UPDATE, reading, root, &path, Some(id))?;
+            sidecars::leave(db, id)?;
             say(db, id, says)?;
         }
     }

@@ -70,6 +70,13 @@ CREATE TABLE told (
     PRIMARY KEY (clip_id, field, source)
 ) STRICT, WITHOUT ROWID;
 
+-- The sidecars that were read, and what the disk listed of them then.
+CREATE TABLE sidecar (
+    path TEXT PRIMARY KEY,
+    size INTEGER NOT NULL,
+    modified_ns INTEGER NOT NULL
+) STRICT, WITHOUT ROWID;
+
 CREATE TABLE tag (
     id INTEGER PRIMARY KEY,
     name TEXT NOT NULL COLLATE NOCASE UNIQUE
