@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "DEFAULT_SKELETON_ASF",
+    "DEFAULT_SKELETON_NOTICE",
     "AnalogChannel",
     "Answer",
     "BaseChannel",
@@ -20,6 +22,10 @@ __all__ = [
     "Event",
     "Filter",
     "Inference",
+    "Library",
+    "LibraryClip",
+    "LibraryError",
+    "LibraryFolder",
     "Markers",
     "MisfitError",
     "Motion",
@@ -29,9 +35,13 @@ __all__ = [
     "ParseError",
     "ResultChannel",
     "Rig",
+    "Scan",
+    "ScanProgress",
     "Skeleton",
+    "SkeletonCandidate",
     "Track",
     "__version__",
+    "default_skeleton",
     "digest",
     "evaluate",
     "filter_rotations",
@@ -43,6 +53,7 @@ __all__ = [
     "parse_recipe",
     "read",
     "read_bytes",
+    "skeletons_for",
     "to_acclaim",
     "to_bvh",
 ]
@@ -71,6 +82,9 @@ class MisfitError(MotionTheaterError, ValueError):
 
 class ParameterError(MotionTheaterError, ValueError):
     """A number or combination that was asked for makes no sense."""
+
+class LibraryError(MotionTheaterError):
+    """A library cannot be opened, read or written; the text says why, and what to do."""
 
 @final
 class Skeleton:
@@ -298,6 +312,32 @@ def format_of(path: str | PathLike[str]) -> str | None:
     """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
 
 @final
+class SkeletonCandidate:
+    """A skeleton file that may belong to a motion, and why."""
+
+    path: str
+    reason: str
+    """The end of "Took 02.asf, because ...": "it is of the same subject, 02"."""
+
+def skeletons_for(
+    path: str | PathLike[str],
+    *,
+    chosen: Sequence[str | PathLike[str]] = (),
+    others: Sequence[str | PathLike[str]] = (),
+) -> list[SkeletonCandidate]:
+    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
+    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
+    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+
+def default_skeleton() -> Skeleton:
+    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human of root and 30 bones."""
+
+DEFAULT_SKELETON_ASF: str
+"""The same as an ASF file."""
+DEFAULT_SKELETON_NOTICE: str
+"""What the user is told where it is used."""
+
+@final
 class Answer:
     """A value that was worked out."""
 
@@ -457,6 +497,151 @@ def parse_recipe(text: str, *, name: str | PathLike[str]) -> dict[str, Any]:
 
 def format_recipe(recipe: Mapping[str, Any]) -> str:
     """Return a stack file as TOML. Raises ParameterError where it holds what a stack file cannot."""
+
+@final
+class LibraryFolder:
+    """A folder of the library."""
+
+    path: str
+    clips: int
+    """How many clips belong to it, broken and missing ones too."""
+    broken: int
+    """How many of them cannot be read."""
+    missing: int
+    """How many of them are no longer there."""
+    scanned_at: int | None
+    """When a scan of it was last complete, in seconds since 1970."""
+
+@final
+class LibraryClip:
+    """A clip as the library knows it. What nobody knows is None; docs/library.md says what every field means."""
+
+    id: int
+    """The clip's number in its library: it stays, wherever the file moves."""
+    path: str
+    name: str
+    folder: str
+    """The folder of the library in which it lies and the folders below it, with "/" between them."""
+    size: int
+    modified_ns: int
+    content_hash: str | None
+    """The BLAKE3 hash of the file's bytes in hexadecimal digits."""
+    format: str
+    frames: int | None
+    first_frame: int | None
+    rate_hz: float | None
+    duration_s: float | None
+    joints: int | None
+    markers: int | None
+    skeleton_fingerprint: str | None
+    height_m: float | None
+    unit_m: float | None
+    up: str | None
+    skeleton_path: str | None
+    skeleton_reason: str | None
+    subject: str | None
+    recorded_on: str | None
+    description: str | None
+    session_group: str | None
+    cleaned: bool | None
+    rating: int
+    """From 1 to 5 stars; 0 for none."""
+    is_favourite: bool
+    used_at: int | None
+    """When it was last used, in seconds since 1970."""
+    notices: list[str]
+    error: str | None
+    """Why the file cannot be read."""
+    is_missing: bool
+    tags: list[str]
+    segments: list[tuple[int, int]]
+    """The usable pieces: first and last frame, in the file's own numbers."""
+    sources: dict[str, str]
+    """Which source says what is in force, by field: "FILE", "INDEX", "SIDECAR" or "USER"."""
+
+@final
+class ScanProgress:
+    """How far a scan is."""
+
+    phase: str
+    """"LOOKING", "READING", "DRAWING" or "DONE"."""
+    done: int
+    """How many files it has read, ..."""
+    total: int
+    """... of how many that are new or changed; it grows while the scan is looking."""
+    current: str
+    """The path of the file that was taken up last."""
+    unchanged: int
+    """How many clips are as they were: these are not opened."""
+    new: int
+    changed: int
+    moved: int
+    missing: int
+    broken: int
+    """How many of the files that were read are damaged."""
+    previews_done: int
+    previews_total: int
+    is_finished: bool
+    error: str | None
+    """Why it could not go on."""
+
+@final
+class Scan:
+    """A scan that runs in the background, also when nobody holds this any more."""
+
+    def progress(self) -> ScanProgress: ...
+    def cancel(self) -> None:
+        """Stop as soon as the files that are being read are done; what was read stays in the library."""
+
+    def wait(self, timeout_s: float | None = None) -> bool:
+        """Wait for the end, at most so long, and return whether it has come. Releases the interpreter."""
+
+@final
+class Library:
+    """A catalogue of clips in a file. Several processes and threads may use one at a time, also while one scans.
+
+    Raises LibraryError where the file is something else or of a later version (it is left as it is then), or cannot be
+    written; ParameterError for what makes no sense; OSError for folders that are not there.
+    """
+
+    def __new__(cls, path: str | PathLike[str]) -> Library:
+        """Open a library; make it where there is no file, bring one of an earlier version up to date."""
+
+    path: str
+    def folders(self) -> list[LibraryFolder]: ...
+    def add_folder(self, path: str | PathLike[str]) -> None:
+        """Add a folder; its clips come with the next scan."""
+
+    def remove_folder(self, path: str | PathLike[str]) -> None:
+        """Remove a folder and what is known of its clips; the files stay."""
+
+    def scan(
+        self,
+        folders: Sequence[str | PathLike[str]] | None = None,
+        *,
+        with_previews: bool = True,
+        jobs: int | None = None,
+    ) -> Scan:
+        """Begin a scan of folders of the library, or folders within them (None: all), and return at once."""
+
+    def count(self) -> int:
+        """Return how many clips there are, missing and broken ones too."""
+
+    def clips(self, ids: Sequence[int]) -> list[LibraryClip]:
+        """Return clips in the order of `ids`; those that are not there are left out."""
+
+    def values(self, field: str) -> list[tuple[str, int]]:
+        """Return the values of "tag", "subject", "format" or "group", each with how many clips have it."""
+
+    def edit(self, ids: Sequence[int], fields: dict[str, object]) -> None:
+        """Write what the user says: `subject`, `recorded_on`, `description`, `session_group` as text, `cleaned` as a truth
+        value (None takes the user's own value back), `rating`, `is_favourite`. All clips, or none."""
+
+    def tag(self, ids: Sequence[int], *, add: Sequence[str] = ..., remove: Sequence[str] = ...) -> None: ...
+    def set_segments(self, id: int, segments: Sequence[tuple[int, int]]) -> None:
+        """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
+
+    def mark_used(self, id: int) -> None: ...
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

@@ -13,7 +13,9 @@
 //! | [`combine`] | cut, scale, blend and align one track over what was there |
 //! | [`filter`] | median, moving average, weighted average |
 //! | [`recipe`] | a stack as a small TOML or JSON file |
-//! | [`skeleton_search`] | which skeleton file belongs to a motion file |
+//! | [`pairing`] | which skeleton file belongs to a motion file |
+//! | [`loaded`] | a file with what belongs to it |
+//! | [`upright`] | from a file's axes to Z up |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
 mod bytes;
@@ -25,9 +27,11 @@ pub mod formats;
 pub mod gaps;
 pub mod infer;
 pub mod keys;
+pub mod loaded;
 pub mod markers;
 pub mod motion;
 pub mod number;
+pub mod pairing;
 pub mod pose;
 pub mod rate;
 pub mod read;
@@ -35,9 +39,9 @@ pub mod recipe;
 pub mod rest_axes;
 pub mod sample;
 pub mod skeleton;
-pub mod skeleton_search;
 pub mod stack;
 mod text;
+pub mod upright;
 pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};

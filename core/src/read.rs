@@ -73,7 +73,7 @@ impl Format {
     }
 
     /// Returns what the bytes are by their content, or else by the extension of `name`.
-    fn of(source: &[u8], name: &Path) -> Option<Self> {
+    pub fn of(source: &[u8], name: &Path) -> Option<Self> {
         let by_extension = || Self::from_extension(name.extension()?.to_str()?);
         match recognise(source) {
             Some(Kind::Asf) => Some(Self::Asf),

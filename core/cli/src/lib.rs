@@ -24,7 +24,6 @@ mod load;
 mod points;
 mod pose;
 mod store;
-mod upright;
 mod write;
 
 use std::ffi::OsString;

@@ -5,11 +5,15 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`catalogue`] | the database: opening it, folders, rows, edits, tags |
+//! | [`facts`] | what is in a file, without its samples |
 //! | [`query`] | what is searched for, and which clips that are |
+//! | [`scan`] | folders compared with the database: what is new, changed, moved or gone |
 
 pub mod catalogue;
 pub mod error;
+pub mod facts;
 pub mod query;
+pub mod scan;
 
 pub use catalogue::Library;
 pub use error::LibraryError;

@@ -3,12 +3,18 @@
 //! A library is one `SQLite` file. Every process, and every thread of one, has connections of its own: readers see the
 //! state before a writer's transaction until that is done, writers wait for each other.
 
+mod edits;
 mod folders;
 pub(crate) mod paths;
+mod rows;
 mod schema;
 mod tags;
+pub(crate) mod told;
 
+pub use edits::Edit;
 pub use folders::Folder;
+pub use rows::ClipRow;
+pub use told::{Field, Source};
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};

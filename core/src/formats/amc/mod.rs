@@ -21,6 +21,7 @@ mod tests;
 mod write;
 
 pub use build::with_dofs_for;
+pub use header::skeleton_hint;
 
 use super::AngleUnit;
 use crate::error::ParseError;
