@@ -64,10 +64,7 @@ def chosen_bones(ob: Object | None, *, selected_only: bool, bone_collection: str
 def add_track(context: Context, ob: Object | None, request: Request) -> str:
     """Add a motion file as a track; return the message for the user. Run inside `scene.unchanged_on_error`."""
     loaded = sources.read_file(request.path)
-    if loaded.clip.format in MARKER_FORMATS:
-        raise UserError(f"{base_name(request.path)} holds markers, not the motion of bones: import it as it is")
-    if not loaded.clip.frames:
-        raise UserError(f"{base_name(request.path)} holds no motion: choose an .amc or .bvh file")
+    check_is_motion(loaded)
     bones = chosen_bones(ob, selected_only=request.selected_only, bone_collection=request.bone_collection)
     ob, skeleton_text, told = _armature_for(context, ob, loaded, request, may_import=bones is None)
     rate_hz = _rate_of(loaded, request)
@@ -84,14 +81,29 @@ def add_track(context: Context, ob: Object | None, request: Request) -> str:
         keys="SAMPLES" if request.rate == "SAMPLES" else "FRAMES",
         **request.settings,
     )
-    tracks = [track for track in stack.of(ob).entries if track.kind == "TRACK" and track.enabled]
-    start, end = min(track.result_start for track in tracks), max(track.result_end for track in tracks)
-    scene.apply_range(context.scene, request.scene_range, start, end)
+    apply_range(context, ob, request.scene_range)
     count = len(ob.data.bones) if bones is None else len(bones)
     added = track_added(request.path, count, entry.result_start, entry.result_end)
     message = sentences(dict.fromkeys([*told, added, *loaded.clip.notices, *names.split(entry.notices)]))
     stack.of(ob).message = message
     return message
+
+
+def check_is_motion(loaded: sources.Loaded) -> None:
+    """Refuse a file without a motion of bones."""
+    name = base_name(loaded.clip.path)
+    if loaded.clip.format in MARKER_FORMATS:
+        raise UserError(f"{name} holds markers, not the motion of bones: import it as it is")
+    if not loaded.clip.frames:
+        raise UserError(f"{name} holds no motion: choose an .amc or .bvh file")
+
+
+def apply_range(context: Context, ob: Object, choice: Choice) -> None:
+    """Let the frame range of the scene meet that of an armature's tracks."""
+    tracks = [track for track in stack.of(ob).entries if track.kind == "TRACK" and track.enabled]
+    if tracks:
+        start, end = min(track.result_start for track in tracks), max(track.result_end for track in tracks)
+        scene.apply_range(context.scene, choice, start, end)
 
 
 def _rate_of(loaded: sources.Loaded, request: Request) -> float:
@@ -112,25 +124,25 @@ def _armature_for(
         if reason:
             raise UserError(reason)
         try:
-            return ob, *_fitted(ob, loaded, request)
+            return ob, *fitted(ob, loaded, request)
         except UserError:
             if not may_import:
                 raise
             misfitting = ob
             try:
-                pairing = _pairing(loaded, request, may_guess=False)
+                pairing = pairing_of(loaded, request, may_guess=False)
             except UserError:
                 pairing = None
             if pairing is None or _same_bones(misfitting, pairing.skeleton):
                 raise
     else:
-        pairing = _pairing(loaded, request, may_guess=True)
+        pairing = pairing_of(loaded, request, may_guess=True)
     options: dict[str, Any] = dict(request.import_options)
     ob, told = skeletons.import_skeleton(context, pairing.skeleton, **options)
     return ob, "", [pairing.told, *told]
 
 
-def _pairing(loaded: sources.Loaded, request: Request, *, may_guess: bool) -> sources.Pairing:
+def pairing_of(loaded: sources.Loaded, request: Request, *, may_guess: bool) -> sources.Pairing:
     """Return the skeleton of a motion; nothing is said where it is the file's own, or the user named it."""
     if sources.has_own_skeleton(loaded):
         return sources.Pairing(loaded)
@@ -147,13 +159,13 @@ def _same_bones(ob: Object, skeleton: sources.Loaded) -> bool:
     return len(sources.matched_bones(stack.of(ob), file, ob.data.bones.keys())) == len(file.names)
 
 
-def _fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, list[str]]:
+def fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, list[str]]:
     """Return the skeleton text that a track on this armature needs for itself, and what is to be said about it."""
     motion = stack.of(ob)
     told: list[str] = []
     own = motion.skeleton_text
     if request.skeleton or not own or sources.has_own_skeleton(loaded):
-        pairing = _pairing(loaded, request, may_guess=True)
+        pairing = pairing_of(loaded, request, may_guess=True)
         text = sources.text_of(pairing.skeleton)
         told += [pairing.told] if pairing.told else []
     else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from .messages import base_name
+from .messages import base_name, counted
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ SHOWN_REASONS = 2
 
 def files(count: int) -> str:
     """Return a number of files in words."""
-    return "1 file" if count == 1 else f"{count} files"
+    return counted(count, "file")
 
 
 def plan(paths: Iterable[str], format_of: Callable[[str], str]) -> list[Job]:

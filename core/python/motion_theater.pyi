@@ -14,12 +14,14 @@ from numpy.typing import NDArray
 __all__ = [
     "DEFAULT_SKELETON_ASF",
     "DEFAULT_SKELETON_NOTICE",
+    "SIDECAR_LABELS",
     "AnalogChannel",
     "Answer",
     "BaseChannel",
     "Clip",
     "Evaluation",
     "Event",
+    "Figure",
     "Filter",
     "Inference",
     "Library",
@@ -37,6 +39,7 @@ __all__ = [
     "Rig",
     "Scan",
     "ScanProgress",
+    "Sidecar",
     "Skeleton",
     "SkeletonCandidate",
     "Track",
@@ -49,10 +52,14 @@ __all__ = [
     "format_of",
     "format_recipe",
     "infer",
+    "load_figure",
     "main",
     "parse_recipe",
     "read",
     "read_bytes",
+    "read_sidecar",
+    "sidecar_cleaned",
+    "sidecar_for",
     "skeletons_for",
     "to_acclaim",
     "to_bvh",
@@ -166,7 +173,7 @@ class Motion:
     def pose(self, skeleton: Skeleton, frame: float) -> tuple[Floats, Floats, Floats]:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
-        """The same motion at another rate, low-passed first when going down."""
+        """The same motion at another rate, low-passed first when going down; it lasts as long, to half a frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
@@ -215,10 +222,10 @@ class Markers:
         first_frame: int = 1,
         unit_m: float = 1.0,
         up: tuple[float, float, float] = ...,
-        events: Sequence[tuple[str, float]] = ...,
+        events: Sequence[tuple[str, float] | tuple[str, float, str, str]] = ...,
     ) -> Markers:
         """`positions` is (markers, frames, 3), NaN in gaps; `events` are labels with their time in seconds, 0 being
-        frame 1."""
+        frame 1, and where there are such with context and subject."""
     names: list[str]
     """In file order; they may be empty, or the same twice."""
     kinds: list[Literal["POSITION", "ANGLE", "FORCE", "MOMENT", "POWER", "SCALAR"]]
@@ -254,6 +261,12 @@ class Markers:
         fewer than three neighbours that keep their distance were seen."""
     def filtered(self, *, kind: FilterKind, depth: int, markers: Sequence[str] | None = None) -> Markers:
         """The markers filtered; no window reaches over a gap, and gaps stay."""
+    def resampled(self, rate_hz: float) -> Markers:
+        """The same movement at another rate, low-passed first when going down; gaps stay. Frame 1 stays the moment that
+        events count from, so `first_frame` changes; residuals and analog signals are left out."""
+    def with_analog(self, channels: Sequence[tuple[str, str, str, Floats]], samples_per_frame: int) -> Markers:
+        """The markers with these signals instead of their own: name, description, unit and (frames *
+        samples_per_frame,) samples each, kept as float32."""
     def neighbours(self) -> list[tuple[int, int]]:
         """Pairs of markers near each other whose distance stays nearly constant."""
     def to_bytes(
@@ -310,6 +323,60 @@ def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> C
 
 def format_of(path: str | PathLike[str]) -> str | None:
     """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
+
+@final
+class Figure:
+    """A clip as points and lines over frames, in metres, Z up, at the place where the file has it.
+
+    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points are
+    those that are positions, the lines join neighbours that keep their distance. Arrays are float32, made anew on every
+    access."""
+
+    names: list[str]
+    """One per point."""
+    points: NDArray[np.float32]
+    """(frames, points, 3); NaN where a point is not seen."""
+    lines: NDArray[np.int32]
+    """(lines, 2) which points each line joins."""
+    sides: NDArray[np.int8]
+    """(lines,) -1 for the figure's own left, 1 for its right, 0 for the middle and where it is not known."""
+    frames: int
+    """How many frames there are here."""
+    step: int
+    """Every so many frames of the file one is here."""
+    first_frame: int
+    """The file's own number of the first frame."""
+    rate_hz: float
+    """Of the frames that are here; assumed where the file does not say."""
+    bounds: NDArray[np.float32]
+    """(2, 3) the lowest and the highest coordinates over all frames; zeros where nothing is ever seen."""
+    floor: float
+    """The height of the floor that the figure stands on: 0, or where the file has its origin elsewhere, as low as the
+    figure comes."""
+
+    def segments(self, frame: float) -> NDArray[np.float32]:
+        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first and
+        after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a gap
+        has no length."""
+
+    def dots(self, frame: float) -> NDArray[np.float32]:
+        """(points that are seen, 3) at a frame, as in `segments`."""
+
+    def colors(
+        self,
+        *,
+        left: tuple[float, float, float, float],
+        middle: tuple[float, float, float, float],
+        right: tuple[float, float, float, float],
+    ) -> NDArray[np.float32]:
+        """(lines * 2, 4) a colour for each end of each line, in the order of `segments`."""
+
+def load_figure(
+    path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None
+) -> Figure:
+    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of `skeletons_for`
+    is taken, or the default one. Where there are more frames than `longest`, every second, third, ... is taken, so that
+    the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
 
 @final
 class SkeletonCandidate:
@@ -642,6 +709,53 @@ class Library:
         """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
 
     def mark_used(self, id: int) -> None: ...
+    def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
+        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
+        means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
+        those of the system where they are not given."""
+
+SIDECAR_LABELS: dict[str, str]
+"""The fields of a sidecar in order: "last_change": "Last changed on"."""
+
+@final
+class Sidecar:
+    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`. Labels in other words, another order,
+    missing lines and whatever else stands there are understood as far as they can be, and kept in place. Raises OSError
+    where it cannot be read or written, ParameterError for a value that a field cannot hold, LibraryError where someone else
+    changed the file meanwhile; the file is what it was then."""
+
+    path: str
+    is_on_disk: bool
+    """False for a new one, until it is saved."""
+    is_edited: bool
+    """Whether saving would change the file."""
+    fields: dict[str, str]
+    """Every field by its name, in the order of `SIDECAR_LABELS`; empty where there is no value."""
+    unknown: list[str]
+    """Lines that no field means."""
+    faults: list[str]
+    """What is wrong with the values, a sentence each."""
+
+    def set(self, field: str, value: str) -> None:
+        """Edit one field; nothing is on disk before `save`. *Cleaned* is empty or one of J, Ja, Y, Yes, N, Nein, No."""
+    def stamp(self, *, today: str | None = None, who: str | None = None) -> None:
+        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this. Both are those
+        of the system where they are not given."""
+    def save(self) -> None:
+        """Write the file as a whole or not at all. Permissions, encoding and line ends stay."""
+    def to_bytes(self) -> bytes:
+        """The file as it would be saved."""
+
+def read_sidecar(path: str | PathLike[str]) -> Sidecar:
+    """Open a sidecar that is there."""
+
+def sidecar_cleaned(value: str) -> bool | None:
+    """What *Cleaned* says: True for J, Ja, Y, Yes, False for N, Nein, No, in any case; None where it is empty. Raises
+    ParameterError for anything else."""
+
+def sidecar_for(clip_path: str | PathLike[str]) -> Sidecar:
+    """Open the sidecar beside a clip, or make a new one with what the clip tells: date, subject, duration, frame rate and the
+    skeleton that was found. A new one is on disk only once it is saved."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

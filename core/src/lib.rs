@@ -15,7 +15,9 @@
 //! | [`recipe`] | a stack as a small TOML or JSON file |
 //! | [`pairing`] | which skeleton file belongs to a motion file |
 //! | [`loaded`] | a file with what belongs to it |
+//! | [`sidecar`] | what people say of a clip, in a small text beside it |
 //! | [`upright`] | from a file's axes to Z up |
+//! | [`skim`] | what a file is about, without reading every number in it |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
 mod bytes;
@@ -38,8 +40,11 @@ pub mod read;
 pub mod recipe;
 pub mod rest_axes;
 pub mod sample;
+pub mod sidecar;
 pub mod skeleton;
+pub mod skim;
 pub mod stack;
+mod tally;
 mod text;
 pub mod upright;
 pub mod value;

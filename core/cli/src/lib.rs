@@ -20,6 +20,7 @@ mod folder;
 mod in_order;
 mod info;
 mod joints_as_markers;
+mod left_out;
 mod load;
 mod points;
 mod pose;

@@ -10,13 +10,14 @@ use motion_theater_core::formats::csm::Csm;
 use motion_theater_core::formats::trc::Trc;
 use motion_theater_core::formats::AngleUnit;
 use motion_theater_core::loaded::Loaded;
-use motion_theater_core::markers::{Markers, PointKind};
+use motion_theater_core::markers::Markers;
 use motion_theater_core::read::Format;
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
 use motion_theater_core::{Dof, Motion, ParameterError, Skeleton};
 
 use crate::folder::format_of;
 use crate::joints_as_markers::joints_as_markers;
+use crate::left_out::left_out;
 use crate::load::{moving, skeleton, warning};
 use crate::store::store;
 use crate::WrongUse;
@@ -82,11 +83,7 @@ pub fn converted(loaded: &Loaded, format: Format, rate_hz: Option<f64>, output: 
     if let Some(markers) = &loaded.clip.markers {
         let Some(rate_hz) = rate_hz else { return of_markers(loaded, markers, format, output) };
         let changed = markers.resampled(rate_hz).map_err(resampled)?;
-        let mut files = of_markers(loaded, &changed, format, output)?;
-        if changed.analog.channels.len() < markers.analog.channels.len() && format == Format::C3d {
-            files.left_out.push(format!("{} analog channels", markers.analog.channels.len()));
-        }
-        return Ok(files);
+        return of_markers(loaded, &changed, format, output);
     }
     if loaded.frame_count() == 0 {
         return of_motion(loaded, skeleton(loaded)?, &Motion::default(), format, output);
@@ -151,7 +148,7 @@ fn without_traces(skeleton: &Skeleton, motion: &Motion) -> Motion {
     motion
 }
 
-/// Returns markers in a format, and says what it has no place for.
+/// Returns markers in a format, with what the file had and they do not.
 pub fn of_markers(loaded: &Loaded, markers: &Markers, format: Format, output: &Path) -> Result<Files, String> {
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let bytes = match format {
@@ -170,15 +167,5 @@ pub fn of_markers(loaded: &Loaded, markers: &Markers, format: Format, output: &P
             ));
         }
     };
-    let mut files = Files::one(output, bytes);
-    if format != Format::C3d {
-        let others = markers.kinds.iter().filter(|kind| **kind != PointKind::Position).count();
-        let counts = [
-            (others, "points that are no positions"),
-            (markers.events.len(), "events"),
-            (markers.analog.channels.len(), "analog channels"),
-        ];
-        files.left_out.extend(counts.iter().filter(|(count, _)| *count > 0).map(|(n, what)| format!("{n} {what}")));
-    }
-    Ok(files)
+    Ok(Files { left_out: left_out(&loaded.clip, markers, format), ..Files::one(output, bytes) })
 }

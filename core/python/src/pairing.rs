@@ -39,7 +39,7 @@ impl From<Candidate> for PySkeletonCandidate {
 
 /// The skeleton files that may belong to a motion file, best first.
 #[pyfunction]
-#[pyo3(signature = (path, *, chosen=Vec::new(), others=Vec::new()))]
+#[pyo3(signature = (path, *, chosen=Vec::new(), others=Vec::new()), text_signature = "(path, *, chosen=(), others=())")]
 pub fn skeletons_for(
     py: Python<'_>,
     path: PathBuf,

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 pub use default_skeleton::{default_skeleton, DEFAULT_SKELETON_ASF, DEFAULT_SKELETON_NOTICE};
 pub use reason::Reason;
 
-use rank::Place;
+use crate::sidecar::{self, Field};
 
 /// A skeleton file that may belong to a motion, and why.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,29 +33,50 @@ pub struct Known<'a> {
     pub others: &'a [PathBuf],
 }
 
-/// Returns the skeleton files for a motion, best first: those that came with it, those of its folder and of the folder
-/// above, all others. `hint` is what the motion file itself says. None of them has been opened: the caller takes the first
-/// that fits.
-pub fn skeletons_for(motion: &Path, hint: Option<&str>, known: Known<'_>) -> Vec<Candidate> {
-    let folder = motion.parent().unwrap_or(Path::new(""));
-    skeletons_among(motion, hint, known, skeletons_in(folder), skeletons_in(&above(folder)))
+/// What is said of a motion's skeleton.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Hints<'a> {
+    /// What the sidecar names: a person's word, a path or a name.
+    pub sidecar: Option<&'a str>,
+    /// What the motion file names: only the file name counts, for the path is that of another computer, and files get
+    /// renamed.
+    pub motion: Option<&'a str>,
 }
 
-/// Returns the same where the skeleton files of the motion's folder and of the folder above are known already.
-pub fn skeletons_among(
-    motion: &Path,
-    hint: Option<&str>,
-    known: Known<'_>,
-    folder: Vec<PathBuf>,
-    above: Vec<PathBuf>,
-) -> Vec<Candidate> {
-    let places = [
-        (Place::Together, known.chosen.to_vec()),
-        (Place::Folder, folder),
-        (Place::Above, above),
-        (Place::Elsewhere, known.others.to_vec()),
-    ];
-    rank::ranked(motion, hint, &places)
+/// The skeleton files around a motion; other files among them do not matter.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Around<'a> {
+    /// Those that the user gave together with the motion.
+    pub chosen: &'a [PathBuf],
+    /// Those of the motion's folder.
+    pub folder: &'a [PathBuf],
+    /// Those of the folder above.
+    pub above: &'a [PathBuf],
+    /// All others that are known.
+    pub others: &'a [PathBuf],
+}
+
+/// Returns the skeleton files for a motion, best first, each once: those that came with it, the one that its sidecar names,
+/// those of its folder and of the folder above, all others. None of them is opened: the caller takes the first that fits.
+pub fn candidates(motion: &Path, hints: Hints<'_>, around: Around<'_>) -> Vec<Candidate> {
+    rank::ranked(motion, hints, around)
+}
+
+/// Returns the same from what lies beside the motion on disk, its sidecar among it. `hint` is what the motion file itself
+/// says.
+pub fn skeletons_for(motion: &Path, hint: Option<&str>, known: Known<'_>) -> Vec<Candidate> {
+    let folder = motion.parent().unwrap_or(Path::new(""));
+    let sidecar = sidecar::read_beside(motion);
+    let named = sidecar.as_ref().and_then(|sidecar| sidecar.get(Field::AsfFile)).filter(|name| !name.is_empty());
+    let at_its_place = named.map(|name| folder.join(name.replace('\\', "/"))).filter(|path| path.is_file());
+    let others: Vec<PathBuf> = at_its_place.into_iter().chain(known.others.iter().cloned()).collect();
+    let around = Around {
+        chosen: known.chosen,
+        folder: &skeletons_in(folder),
+        above: &skeletons_in(&above(folder)),
+        others: &others,
+    };
+    candidates(motion, Hints { sidecar: named, motion: hint }, around)
 }
 
 /// Returns the folder that a folder lies in, also where its own name does not tell.

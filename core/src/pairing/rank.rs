@@ -1,13 +1,14 @@
 //! How much speaks for each skeleton file, by names and places alone.
 
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use super::{Candidate, Reason};
+use super::{Around, Candidate, Hints, Reason};
 
 /// Where skeleton files lie, seen from a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+enum Place {
     /// Given by the user together with the motion.
     Together,
     /// In the motion's folder.
@@ -41,16 +42,23 @@ impl Place {
 
 /// Returns the skeletons among the files of all places, best first, each once.
 ///
-/// A name that tells something goes before none, and a near file before a far one. `hint` is what the motion file says:
-/// only its file name counts, for the path is that of another computer.
-pub(super) fn ranked(motion: &Path, hint: Option<&str>, places: &[(Place, Vec<PathBuf>)]) -> Vec<Candidate> {
-    let names = Names { take: lower(motion.file_stem()), hint: hint.map(|hint| file_name(hint).to_lowercase()) };
+/// What a person chose or wrote goes before all else, then a name that tells something before none, and a near file before a
+/// far one.
+pub(super) fn ranked(motion: &Path, hints: Hints<'_>, around: Around<'_>) -> Vec<Candidate> {
+    let names = Names {
+        take: lower(motion.file_stem()),
+        hint: hints.motion.map(|hint| file_name(hint).to_lowercase()).filter(|hint| !hint.is_empty()),
+    };
+    let places = [
+        (Place::Together, sorted(around.chosen)),
+        (Place::Folder, sorted(around.folder)),
+        (Place::Above, sorted(around.above)),
+        (Place::Elsewhere, sorted(around.others)),
+    ];
+    let mut chosen: Vec<Candidate> = Vec::new();
     let mut telling: Vec<Candidate> = Vec::new();
     let mut silent: Vec<Candidate> = Vec::new();
-    for (place, files) in places {
-        let mut skeletons: Vec<&PathBuf> = files.iter().filter(|path| is_skeleton(path)).collect();
-        // Of two with the same evidence the shorter name is the closer one: `02` before `02-old`.
-        skeletons.sort_by_key(|path| (path.file_stem().map_or(0, OsStr::len), *path));
+    for (place, skeletons) in &places {
         let only_one = place.of_the_only_one().filter(|_| skeletons.len() == 1);
         let mut told: Vec<(Reason, &PathBuf)> =
             skeletons.iter().filter_map(|path| Some((names.reason(path).or(only_one.clone())?, *path))).collect();
@@ -58,7 +66,7 @@ pub(super) fn ranked(motion: &Path, hint: Option<&str>, places: &[(Place, Vec<Pa
         let told = told.into_iter().map(|(reason, path)| Candidate { path: path.clone(), reason });
         let rest = skeletons.iter().map(|path| Candidate { path: (*path).clone(), reason: place.of_any() });
         match place {
-            Place::Together => telling.extend(told.chain(rest).map(|it| Candidate { reason: Reason::Chosen, ..it })),
+            Place::Together => chosen.extend(told.chain(rest).map(|it| Candidate { reason: Reason::Chosen, ..it })),
             Place::Folder | Place::Above => {
                 telling.extend(told);
                 silent.extend(rest);
@@ -66,8 +74,29 @@ pub(super) fn ranked(motion: &Path, hint: Option<&str>, places: &[(Place, Vec<Pa
             Place::Elsewhere => silent.extend(told.chain(rest)),
         }
     }
-    let mut seen = std::collections::HashSet::new();
-    telling.into_iter().chain(silent).filter(|candidate| seen.insert(candidate.path.clone())).collect()
+    let named = hints.sidecar.map(|named| named_in(named, places.iter().flat_map(|(_, paths)| paths.iter().copied())));
+    let named = named.unwrap_or_default().into_iter().map(|path| Candidate { path, reason: Reason::Sidecar });
+    let mut seen = HashSet::new();
+    let all = chosen.into_iter().chain(named).chain(telling).chain(silent);
+    all.filter(|candidate| seen.insert(candidate.path.clone())).collect()
+}
+
+/// Returns the skeletons in a fixed order: of two with the same evidence the shorter name is the closer one, `02` before
+/// `02-old`.
+fn sorted(files: &[PathBuf]) -> Vec<&PathBuf> {
+    let mut skeletons: Vec<&PathBuf> = files.iter().filter(|path| is_skeleton(path)).collect();
+    skeletons.sort_by_key(|path| (path.file_stem().map_or(0, OsStr::len), *path));
+    skeletons
+}
+
+/// Returns the files that a path or name means; those first whose folders are named too.
+fn named_in<'a>(named: &str, files: impl Iterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
+    let name = file_name(named).to_lowercase();
+    let slashed = named.replace('\\', "/");
+    let below = slashed.trim_start_matches("../").trim_start_matches("./");
+    let mut found: Vec<&PathBuf> = files.filter(|path| lower(path.file_name()) == name).collect();
+    found.sort_by_key(|path| !path.ends_with(below));
+    found.into_iter().cloned().collect()
 }
 
 /// Whether the name of a file says that it is a skeleton.
@@ -118,10 +147,19 @@ mod tests {
 
     /// Ranks files by name in the places together, folder, above and elsewhere.
     fn candidates(motion: &str, hint: Option<&str>, places: [&[&str]; 4]) -> Vec<(String, String)> {
-        let kinds = [Place::Together, Place::Folder, Place::Above, Place::Elsewhere];
+        with_sidecar(motion, None, hint, places)
+    }
+
+    fn with_sidecar(
+        motion: &str,
+        sidecar: Option<&str>,
+        hint: Option<&str>,
+        places: [&[&str]; 4],
+    ) -> Vec<(String, String)> {
         let paths = |names: &[&str]| names.iter().map(PathBuf::from).collect::<Vec<_>>();
-        let places: Vec<_> = kinds.into_iter().zip(places.map(paths)).collect();
-        let found = ranked(Path::new(motion), hint, &places);
+        let [chosen, folder, above, others] = &places.map(paths);
+        let found =
+            ranked(Path::new(motion), Hints { sidecar, motion: hint }, Around { chosen, folder, above, others });
         found.into_iter().map(|found| (found.path.display().to_string(), found.reason.to_string())).collect()
     }
 
@@ -137,6 +175,19 @@ mod tests {
         assert_eq!(found[0].1, "named in the motion file");
         assert_eq!(found[1].1, "it has the same name");
         assert_eq!(found[2].1, "it is of the same subject, 02");
+    }
+
+    #[test]
+    fn what_the_sidecar_names_goes_before_all_that_names_tell_wherever_it_lies() {
+        let places: [&[&str]; 4] = [&[], &["d/a.asf", "d/02_03.asf"], &["old/b.asf"], &["x/Mine.asf", "y/mine.asf"]];
+        let found = with_sidecar("d/02_03.amc", Some("..\\y\\mine.asf"), Some("a.asf"), places);
+        assert_eq!(paths(&found), ["y/mine.asf", "x/Mine.asf", "d/a.asf", "d/02_03.asf", "old/b.asf"]);
+        assert_eq!(found[0].1, "named in the sidecar");
+        assert_eq!(found[2].1, "named in the motion file");
+        assert_eq!(
+            with_sidecar("d/02_03.amc", Some(""), Some("a.asf"), places),
+            candidates("d/02_03.amc", Some("a.asf"), places)
+        );
     }
 
     #[test]

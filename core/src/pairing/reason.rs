@@ -8,6 +8,8 @@ use std::fmt;
 pub enum Reason {
     /// The user gave it together with the motion.
     Chosen,
+    /// The motion's sidecar names it.
+    Sidecar,
     /// The motion file names it.
     Motion,
     /// It has the name of the motion.
@@ -31,6 +33,7 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Chosen => f.write_str("it came with the motion"),
+            Self::Sidecar => f.write_str("named in the sidecar"),
             Self::Motion => f.write_str("named in the motion file"),
             Self::Name => f.write_str("it has the same name"),
             Self::Subject(subject) => write!(f, "it is of the same subject, {subject}"),

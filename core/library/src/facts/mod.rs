@@ -1,6 +1,6 @@
 //! What is in a file, without its samples: what `motion-theater info` tells.
 
-mod said;
+pub(crate) mod said;
 mod skeleton;
 
 pub use skeleton::{fingerprint, SkeletonFacts};
@@ -8,6 +8,7 @@ pub use skeleton::{fingerprint, SkeletonFacts};
 use std::path::Path;
 
 use motion_theater_core::read::{read_bytes, Clip, Format};
+use motion_theater_core::skim::skim as skim_file;
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
 use motion_theater_core::upright::axis_name;
 use motion_theater_core::{ReadError, Skeleton};
@@ -42,6 +43,13 @@ pub struct Facts {
     pub says: Vec<(Field, String)>,
     /// What is odd in the file, and what was inferred, a sentence each.
     pub notices: Vec<String>,
+}
+
+/// Looks over a file that is in memory, and reads only what its facts need; the clip has some of the frames then. `None`
+/// where the file is no usual one: then [`read`] says the same, or what is wrong.
+pub fn skim(source: &[u8], path: &Path) -> Option<(Facts, Clip)> {
+    let skimmed = skim_file(source, path)?;
+    Some((Facts::of(&skimmed.clip, skimmed.frame_count, path), skimmed.clip))
 }
 
 /// Reads a file that is in memory, every number of it. `path` stands in no message.

@@ -74,7 +74,8 @@ impl<'a> Reader<'a> {
 
     fn facts(&self, source: &[u8], path: &Path) -> Result<(Facts, Option<Paired>), Failure> {
         let failed = |message| Failure { format: Format::of(source, path), message };
-        let (mut facts, clip) = facts::read(source, path).map_err(failed)?;
+        let skimmed = facts::skim(source, path);
+        let (mut facts, clip) = skimmed.map_or_else(|| facts::read(source, path), Ok).map_err(failed)?;
         let paired = (facts.format == Format::Amc).then(|| self.skeletons.pair(path, &clip));
         if let Some(paired) = &paired {
             if let Some(skeleton) = &paired.skeleton {

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use motion_theater_core::pairing::{default_skeleton, skeletons_among, Candidate, Known, DEFAULT_SKELETON_NOTICE};
+use motion_theater_core::pairing::{candidates, default_skeleton, Around, Candidate, Hints, DEFAULT_SKELETON_NOTICE};
 use motion_theater_core::read::{read_path, Clip};
+use motion_theater_core::sidecar::{self, Field};
 use motion_theater_core::Skeleton;
 
 /// So many skeletons are kept in memory (a few ten thousand bytes each); then reading begins anew.
@@ -43,19 +44,25 @@ impl Skeletons {
         self.all.push(path.to_owned());
     }
 
-    /// Finds the skeleton of a motion: one beside it, any of the library, or else the built-in default where it fits.
+    /// Finds the skeleton of a motion: the one that its sidecar names, one beside it, any of the library, or else the
+    /// built-in default where it fits.
     pub(super) fn pair(&self, path: &Path, clip: &Clip) -> Paired {
-        let hint = clip.amc.as_ref().and_then(|amc| amc.header.skeleton_hint.as_deref());
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let in_folder = |folder: &Path| self.by_folder.get(folder).cloned().unwrap_or_default();
-        let above = folder.parent().map(in_folder).unwrap_or_default();
-        let near = skeletons_among(path, hint, Known::default(), in_folder(folder), above);
-        let is_any = !near.is_empty();
-        let anywhere = || {
-            let known = Known { others: &self.all, ..Known::default() };
-            skeletons_among(path, hint, known, Vec::new(), Vec::new())
+        let sidecar = sidecar::read_beside(path);
+        let named = sidecar.as_ref().and_then(|sidecar| sidecar.get(Field::AsfFile)).filter(|name| !name.is_empty());
+        let motion = clip.amc.as_ref().and_then(|amc| amc.header.skeleton_hint.as_deref());
+        let hints = Hints { sidecar: named, motion };
+        let parent = path.parent().unwrap_or(Path::new(""));
+        let in_folder = |folder: &Path| self.by_folder.get(folder).map_or(&[][..], Vec::as_slice);
+        let near = Around {
+            folder: in_folder(parent),
+            above: parent.parent().map(in_folder).unwrap_or_default(),
+            ..Around::default()
         };
-        if let Some(paired) = self.first_that_fits(near, clip).or_else(|| self.first_that_fits(anywhere(), clip)) {
+        let anywhere = Around { others: &self.all, ..near };
+        let is_any = !near.folder.is_empty() || !near.above.is_empty();
+        // Most motions find theirs beside them; all others are only ranked for the rest.
+        let first = if named.is_some() { None } else { self.first_that_fits(candidates(path, hints, near), clip) };
+        if let Some(paired) = first.or_else(|| self.first_that_fits(candidates(path, hints, anywhere), clip)) {
             return paired;
         }
         let is_default = clip.bind(default_skeleton()).is_ok();

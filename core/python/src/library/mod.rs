@@ -2,7 +2,9 @@
 
 mod clip;
 mod edits;
+mod figure;
 mod scan;
+mod sidecar;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -31,13 +33,16 @@ pub struct PyLibraryFolder {
     scanned_at: Option<i64>,
 }
 
-/// Adds the classes to the module.
+/// Adds the classes and functions to the module.
 pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyLibrary>()?;
     module.add_class::<PyLibraryFolder>()?;
     module.add_class::<PyLibraryClip>()?;
     module.add_class::<PyScan>()?;
-    module.add_class::<PyScanProgress>()
+    module.add_class::<PyScanProgress>()?;
+    module.add_class::<figure::PyFigure>()?;
+    module.add_function(wrap_pyfunction!(figure::load_figure, module)?)?;
+    sidecar::add_to(module)
 }
 
 impl PyLibrary {
@@ -114,6 +119,12 @@ impl PyLibrary {
 
     fn mark_used(&self, py: Python<'_>, id: i64) -> PyResult<()> {
         self.with(py, |library| library.mark_used(id))
+    }
+
+    #[pyo3(signature = (id, *, today=None, who=None))]
+    fn write_sidecar(&self, py: Python<'_>, id: i64, today: Option<String>, who: Option<String>) -> PyResult<OsString> {
+        let (today, who) = sidecar::stamp_of(py, today, who)?;
+        Ok(self.with(py, |library| library.write_sidecar(id, &today, &who))?.into_os_string())
     }
 
     fn __repr__(&self) -> String {

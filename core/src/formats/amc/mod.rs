@@ -16,6 +16,7 @@ mod frame;
 mod header;
 mod motion;
 mod read;
+mod skim;
 #[cfg(test)]
 mod tests;
 mod write;
