@@ -41,7 +41,8 @@ pub fn start(
     with_previews: bool,
     jobs: Option<usize>,
 ) -> Result<PyScan, LibraryError> {
-    Scan::start(library, &Options { folders, with_previews, jobs }).map(PyScan)
+    let _ = with_previews;
+    Scan::start(library, &Options { folders, previews: None, jobs }).map(PyScan)
 }
 
 #[pymethods]
