@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 __all__ = [
     "DEFAULT_SKELETON_ASF",
     "DEFAULT_SKELETON_NOTICE",
+    "SIDECAR_LABELS",
     "AnalogChannel",
     "Answer",
     "BaseChannel",
@@ -34,10 +35,12 @@ __all__ = [
     "Notice",
     "ParameterError",
     "ParseError",
+    "Preview",
     "ResultChannel",
     "Rig",
     "Scan",
     "ScanProgress",
+    "Sidecar",
     "Skeleton",
     "SkeletonCandidate",
     "Track",
@@ -55,6 +58,9 @@ __all__ = [
     "parse_recipe",
     "read",
     "read_bytes",
+    "read_sidecar",
+    "sidecar_cleaned",
+    "sidecar_for",
     "skeletons_for",
     "to_acclaim",
     "to_bvh",
@@ -323,9 +329,9 @@ def format_of(path: str | PathLike[str]) -> str | None:
 class Figure:
     """A clip as points and lines over frames, in metres, Z up, at the place where the file has it.
 
-    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points are
-    those that are positions, the lines join neighbours that keep their distance. Arrays are float32, made anew on every
-    access."""
+    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points
+    are those that are positions, the lines join neighbours that keep their distance, and groups of these. Arrays are
+    made anew on every access."""
 
     names: list[str]
     """One per point."""
@@ -350,9 +356,9 @@ class Figure:
     figure comes."""
 
     def segments(self, frame: float) -> NDArray[np.float32]:
-        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first and
-        after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a gap
-        has no length."""
+        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first
+        and after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a
+        gap has no length."""
 
     def dots(self, frame: float) -> NDArray[np.float32]:
         """(points that are seen, 3) at a frame, as in `segments`."""
@@ -366,12 +372,10 @@ class Figure:
     ) -> NDArray[np.float32]:
         """(lines * 2, 4) a colour for each end of each line, in the order of `segments`."""
 
-def load_figure(
-    path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None
-) -> Figure:
-    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of `skeletons_for`
-    is taken, or the default one. Where there are more frames than `longest`, every second, third, ... is taken, so that
-    the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
+def load_figure(path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None) -> Figure:
+    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of
+    `skeletons_for` is taken, or the default one. Where there are more frames than `longest`, every second, third, ...
+    is taken, so that the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
 
 @final
 class SkeletonCandidate:
@@ -704,6 +708,71 @@ class Library:
         """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
 
     def mark_used(self, id: int) -> None: ...
+    def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
+        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
+        means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
+        those of the system where they are not given."""
+
+    def still(self, id: int) -> NDArray[np.uint8] | None:
+        """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours
+        not multiplied by opacity. None where it has not been drawn (`scan`)."""
+
+    def strip(self, id: int) -> Preview | None:
+        """The liveliest seconds of a clip. None where it has not been drawn (`scan`)."""
+
+@final
+class Preview:
+    """A moving strip of a clip, at the speed of the clip."""
+
+    frames: NDArray[np.uint8]
+    """(frames, height, width, 4), as a `still`."""
+    rate_hz: float
+    """How many frames make a second."""
+    still_frame: int
+    """The file's own number of the frame that the still shows."""
+
+SIDECAR_LABELS: dict[str, str]
+"""The fields of a sidecar in order: "last_change": "Last changed on"."""
+
+@final
+class Sidecar:
+    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`. Labels in other words, another order,
+    missing lines and whatever else stands there are understood as far as they can be, and kept in place. Raises OSError
+    where it cannot be read or written, ParameterError for a value that a field cannot hold, LibraryError where someone else
+    changed the file meanwhile; the file is what it was then."""
+
+    path: str
+    is_on_disk: bool
+    """False for a new one, until it is saved."""
+    is_edited: bool
+    """Whether saving would change the file."""
+    fields: dict[str, str]
+    """Every field by its name, in the order of `SIDECAR_LABELS`; empty where there is no value."""
+    unknown: list[str]
+    """Lines that no field means."""
+    faults: list[str]
+    """What is wrong with the values, a sentence each."""
+
+    def set(self, field: str, value: str) -> None:
+        """Edit one field; nothing is on disk before `save`. *Cleaned* is empty or one of J, Ja, Y, Yes, N, Nein, No."""
+    def stamp(self, *, today: str | None = None, who: str | None = None) -> None:
+        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this. Both are those
+        of the system where they are not given."""
+    def save(self) -> None:
+        """Write the file as a whole or not at all. Permissions, encoding and line ends stay."""
+    def to_bytes(self) -> bytes:
+        """The file as it would be saved."""
+
+def read_sidecar(path: str | PathLike[str]) -> Sidecar:
+    """Open a sidecar that is there."""
+
+def sidecar_cleaned(value: str) -> bool | None:
+    """What *Cleaned* says: True for J, Ja, Y, Yes, False for N, Nein, No, in any case; None where it is empty. Raises
+    ParameterError for anything else."""
+
+def sidecar_for(clip_path: str | PathLike[str]) -> Sidecar:
+    """Open the sidecar beside a clip, or make a new one with what the clip tells: date, subject, duration, frame rate and the
+    skeleton that was found. A new one is on disk only once it is saved."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

@@ -1,6 +1,6 @@
 """Makes a folder of thousands of clips, and writes down what is in every file.
 
-    python -m tests.library.maker FOLDER [--clips 3000] [--broken 60] [--share 0.02 0.1] [--table FILE]
+python -m tests.library.maker FOLDER [--clips 3000] [--broken 60] [--share 0.02 0.1] [--table FILE]
 """
 
 from __future__ import annotations

@@ -45,6 +45,9 @@ pub enum LibraryError {
     /// The database is damaged.
     #[error("the library is damaged ({0}): move the file away, and scan the folders anew")]
     Damaged(String),
+    /// The sidecar of a clip cannot be read or saved.
+    #[error(transparent)]
+    Sidecar(#[from] crate::sidecar::SidecarError),
     /// What was asked for makes no sense, with the reason.
     #[error("{0}")]
     Asked(String),

@@ -5,6 +5,7 @@ use std::path::Path;
 use motion_theater_core::error::words;
 use motion_theater_core::loaded::LoadError;
 use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, ReadError};
+use motion_theater_library::sidecar::SidecarError;
 use motion_theater_library::LibraryError;
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -88,8 +89,28 @@ pub fn parameter(error: &ParameterError) -> PyErr {
 pub fn library(error: LibraryError) -> PyErr {
     match error {
         LibraryError::Io { path, source } => io(&path, &source),
+        LibraryError::Sidecar(error) => sidecar(error),
         LibraryError::Asked(reason) => parameter(&ParameterError(reason)),
         other => Python::attach(|py| raise(py, |types| &types.library, other.to_string(), |_| Ok(()))),
+    }
+}
+
+/// Why a sidecar could not be opened, edited or saved.
+pub fn sidecar(error: SidecarError) -> PyErr {
+    let text = error.to_string();
+    match error {
+        SidecarError::NotRead { path, source } => io(&path, &source),
+        SidecarError::NotSaved { path, source } => {
+            // Python puts the path behind what the system says.
+            let reason = format!("not saved, and left as it was: {}", words(&source));
+            match source.raw_os_error() {
+                Some(code) => PyOSError::new_err((code, reason, path)),
+                None => PyOSError::new_err(text),
+            }
+        }
+        SidecarError::Clip(error) => load(error),
+        SidecarError::Value(error) => parameter(&ParameterError(error.to_string())),
+        _ => Python::attach(|py| raise(py, |types| &types.library, text, |_| Ok(()))),
     }
 }
 

@@ -85,75 +85,90 @@ impl Field {
     /// Returns the field that a label means: ours, or one that people write instead, in any case and with any blanks,
     /// hyphens or underscores; English or German.
     pub fn of_label(label: &str) -> Option<Self> {
-        let letters: String = label.chars().filter(|letter| letter.is_alphanumeric()).collect();
-        let letters = letters.to_lowercase();
-        Self::ALL.into_iter().find(|field| field.spellings().contains(&letters.as_str()))
+        Self::ALL.into_iter().find(|field| field.distance(label).is_some())
     }
 
-    /// The labels in lower case, letters alone.
+    /// Returns how far a label is from the field's own: 0 for that itself; `None` where it does not mean the field.
+    pub(super) fn distance(self, label: &str) -> Option<usize> {
+        let letters: String = label.chars().filter(|letter| letter.is_alphanumeric()).collect();
+        let letters = letters.to_lowercase();
+        self.spellings().iter().position(|spelling| *spelling == letters)
+    }
+
+    /// The labels in lower case, letters alone; the clearest first.
     fn spellings(self) -> &'static [&'static str] {
         match self {
             Self::Date => {
-                &["date", "recorded", "recordedon", "daterecorded", "recordingdate", "datum", "aufnahmedatum"]
+                &["date", "datum", "recordedon", "daterecorded", "recordingdate", "aufnahmedatum", "recorded"]
             }
-            Self::Group => &["group", "session", "sessiongroup", "gruppe", "sitzung"],
-            Self::Subject => &["subject", "actor", "performer", "person", "subjekt", "akteur", "darsteller"],
-            Self::Duration => &["duration", "length", "dauer", "länge"],
+            Self::Group => &["group", "gruppe", "sessiongroup", "session", "sitzung"],
+            Self::Subject => &["subject", "subjekt", "actor", "akteur", "performer", "darsteller", "person"],
+            Self::Duration => &["duration", "dauer", "length", "länge"],
             Self::FrameRate => &[
                 "framerate",
-                "rate",
-                "fps",
-                "samplerate",
-                "framespersecond",
                 "bildrate",
                 "framerateinhz",
+                "framespersecond",
                 "bilderprosekunde",
+                "samplerate",
+                "fps",
+                "rate",
             ],
-            Self::Cleaned => &["cleaned", "clean", "cleanedup", "bereinigt", "gereinigt", "gesäubert"],
+            Self::Cleaned => &["cleaned", "bereinigt", "cleanedup", "gereinigt", "gesäubert", "clean"],
             Self::LastChange => &[
                 "lastchangedon",
+                "dateoflastchange",
+                "datelastchange",
+                "datelastchanged",
+                "datelastmodified",
+                "datumderletztenänderung",
+                "datumletzteänderung",
+                "letzteänderungam",
+                "letzteänderung",
+                "zuletztgeändertam",
+                "geändertam",
                 "lastchange",
                 "lastchanged",
                 "lastchangedate",
-                "datelastchange",
-                "datelastchanged",
-                "dateoflastchange",
                 "lastmodified",
                 "lastmodifiedon",
-                "datelastmodified",
                 "modifiedon",
-                "letzteänderung",
-                "letzteänderungam",
-                "datumletzteänderung",
-                "datumderletztenänderung",
-                "zuletztgeändertam",
-                "geändertam",
             ],
             Self::ModifiedBy => &[
                 "modifiedby",
+                "geändertvon",
+                "bearbeitetvon",
                 "changedby",
                 "editedby",
                 "lastmodifiedby",
                 "lastchangedby",
-                "geändertvon",
-                "bearbeitetvon",
                 "bearbeiter",
             ],
             Self::UsableSegments => &[
                 "usablesegments",
+                "brauchbaresegmente",
+                "verwendbaresegmente",
+                "brauchbareabschnitte",
+                "verwendbareabschnitte",
                 "usableparts",
                 "usablepieces",
                 "segments",
-                "brauchbaresegmente",
-                "brauchbareabschnitte",
-                "verwendbaresegmente",
-                "verwendbareabschnitte",
                 "segmente",
             ],
-            Self::AsfFile => &["asffile", "asf", "skeleton", "skeletonfile", "asfdatei", "skelett", "skelettdatei"],
-            Self::Comment => {
-                &["comment", "comments", "remark", "remarks", "note", "notes", "description", "kommentar", "bemerkung"]
-            }
+            Self::AsfFile => &["asffile", "asfdatei", "skeletonfile", "skelettdatei", "asf", "skeleton", "skelett"],
+            Self::Comment => &[
+                "comment",
+                "kommentar",
+                "comments",
+                "kommentare",
+                "bemerkung",
+                "bemerkungen",
+                "remark",
+                "remarks",
+                "description",
+                "note",
+                "notes",
+            ],
         }
     }
 }

@@ -144,12 +144,13 @@ impl Sidecar {
         self.lines.insert(at, Line { text: format!("{}:{separator}{value}", field.label()), end });
     }
 
-    /// Returns the line of a field: the first with a label that means it; or else, where there are eleven lines with
-    /// labels, the one in its place, if nothing else claims that.
+    /// Returns the line of a field: the first of those whose labels mean it the most clearly; or else, where there are eleven
+    /// lines with labels, the one in its place, if nothing else claims that.
     fn find(&self, field: Field) -> Option<usize> {
         let by_label = |line: &Line| line.label().and_then(Field::of_label);
-        let own = self.lines.iter().position(|line| by_label(line) == Some(field));
-        own.or_else(|| {
+        let distances = self.lines.iter().map(|line| line.label().and_then(|label| field.distance(label)));
+        let own = distances.enumerate().filter_map(|(index, distance)| Some((distance?, index))).min();
+        own.map(|(_, index)| index).or_else(|| {
             let labelled: Vec<usize> =
                 (0..self.lines.len()).filter(|index| self.lines[*index].label().is_some()).collect();
             let place = Field::ALL.iter().position(|known| *known == field)?;

@@ -48,6 +48,13 @@ fn eleven_lines_in_the_usual_order_need_no_label_that_is_known() {
 }
 
 #[test]
+fn of_two_lines_that_mean_a_field_the_clearer_one_is_it() {
+    let sidecar = Sidecar::parse(b"Note: see page 7\nKommentar: gut\nComment: good\nComment: twice\n");
+    assert_eq!(sidecar.get(Field::Comment), Some("good"));
+    assert_eq!(sidecar.unknown().collect::<Vec<_>>(), ["Note: see page 7", "Kommentar: gut", "Comment: twice"]);
+}
+
+#[test]
 fn an_edit_changes_its_own_line_and_no_other_byte() {
     let before = "Note to self\r\nSubject:  07\r\nGroup : old\r\nsubject: a second one\r\n";
     let mut sidecar = Sidecar::parse(before.as_bytes());

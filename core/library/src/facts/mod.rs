@@ -1,6 +1,6 @@
 //! What is in a file, without its samples: what `motion-theater info` tells.
 
-mod said;
+pub(crate) mod said;
 mod skeleton;
 
 pub use skeleton::{fingerprint, SkeletonFacts};

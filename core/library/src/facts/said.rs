@@ -9,7 +9,7 @@ use motion_theater_core::read::Clip;
 use crate::catalogue::Field;
 
 /// Returns what a file says, and else its name.
-pub(super) fn by(clip: &Clip, path: &Path) -> Vec<(Field, String)> {
+pub(crate) fn by(clip: &Clip, path: &Path) -> Vec<(Field, String)> {
     let of_csm = clip.csm.as_ref().map(by_csm).unwrap_or_default();
     let of_c3d = clip.c3d.as_ref().map(by_c3d).unwrap_or_default();
     let mut said: Vec<_> = of_csm.into_iter().chain(of_c3d).collect();

@@ -4,7 +4,10 @@ use std::path::{Component, Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use motion_theater_core::loaded::{Loaded, Pairing};
-use motion_theater_core::sidecar::{day, Field, Sidecar};
+use motion_theater_core::sidecar::{Field, Sidecar};
+
+use crate::catalogue::Field as Column;
+use crate::facts::said;
 
 const SECONDS_A_DAY: u64 = 24 * 60 * 60;
 
@@ -13,9 +16,13 @@ pub(super) fn sidecar_of(loaded: &Loaded) -> Sidecar {
     let mut sidecar = Sidecar::default();
     let rate = loaded.rate_hz();
     let duration = rate.map(|rate| loaded.frame_count() as f64 / rate);
+    let says = said::by(&loaded.clip, &loaded.path);
+    let said = |column: Column| says.iter().find(|(known, _)| *known == column).map(|(_, value)| value.clone());
+    // Most files state no day: that of their last change (UTC) is the best that there is.
+    let changed = || Some(day_of(loaded.path.metadata().ok()?.modified().ok()?));
     let values = [
-        (Field::Date, date(loaded)),
-        (Field::Subject, subject(loaded)),
+        (Field::Date, said(Column::RecordedOn).or_else(changed)),
+        (Field::Subject, said(Column::Subject)),
         (Field::Duration, duration.map(short)),
         (Field::FrameRate, rate.map(short)),
         (Field::AsfFile, skeleton(loaded)),
@@ -25,39 +32,6 @@ pub(super) fn sidecar_of(loaded: &Loaded) -> Sidecar {
         let _ = value.map(|value| sidecar.set(field, &value));
     }
     sidecar
-}
-
-/// Returns the day that the file states, or else that of its last change (UTC).
-fn date(loaded: &Loaded) -> Option<String> {
-    let of_csm = || text_of_csm(loaded, "Date").and_then(|date| day(&date));
-    let of_c3d = || {
-        let stated = loaded.clip.c3d.as_ref()?.parameter("TRIAL", "CREATION_DATE")?.texts();
-        day(stated.first()?)
-    };
-    let of_disk = || Some(day_of(loaded.path.metadata().ok()?.modified().ok()?));
-    of_csm().or_else(of_c3d).or_else(of_disk)
-}
-
-fn subject(loaded: &Loaded) -> Option<String> {
-    let of_c3d = || {
-        let names = loaded.clip.c3d.as_ref()?.parameter("SUBJECTS", "NAMES")?.texts();
-        let names: Vec<String> = names.into_iter().filter(|name| !name.trim().is_empty()).collect();
-        (!names.is_empty()).then(|| names.join(", "))
-    };
-    text_of_csm(loaded, "Actor").or_else(of_c3d).or_else(|| numbered(&loaded.path))
-}
-
-fn text_of_csm(loaded: &Loaded, name: &str) -> Option<String> {
-    let texts = &loaded.clip.csm.as_ref()?.texts;
-    let (_, text) = texts.iter().find(|(known, _)| known.eq_ignore_ascii_case(name))?;
-    Some(text.trim().to_owned()).filter(|text| !text.is_empty())
-}
-
-/// Returns the subject of a name as the public data sets number them: `02` of `02_03.amc`.
-fn numbered(path: &Path) -> Option<String> {
-    let (subject, take) = path.file_stem()?.to_str()?.split_once('_')?;
-    let is_number = |text: &str| (1..=3).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit());
-    (is_number(subject) && take.starts_with(|letter: char| letter.is_ascii_digit())).then(|| subject.to_owned())
 }
 
 /// Returns the skeleton's file as seen from the clip's folder, where it lies near.
@@ -123,15 +97,6 @@ mod tests {
             (-1, (1969, 12, 31)),
         ] {
             assert_eq!(civil(days), wanted);
-        }
-    }
-
-    #[test]
-    fn only_a_number_is_taken_for_a_subject() {
-        for (name, subject) in
-            [("02_03.amc", Some("02")), ("walk_01.bvh", None), ("2004_05.bvh", None), ("02.asf", None)]
-        {
-            assert_eq!(numbered(Path::new(name)).as_deref(), subject, "{name}");
         }
     }
 }

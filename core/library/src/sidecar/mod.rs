@@ -3,6 +3,7 @@
 //! What is in them is `motion_theater_core::sidecar`.
 
 mod known;
+mod of_clip;
 mod replace;
 #[cfg(test)]
 mod tests;
@@ -14,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 use motion_theater_core::error::words;
 use motion_theater_core::loaded::{LoadError, Loaded};
-pub use motion_theater_core::sidecar::Field;
+pub use motion_theater_core::sidecar::{cleaned, Field};
 use motion_theater_core::sidecar::{path_beside, Sidecar, ValueError, MOST_BYTES};
 
 pub use told::{segments_text, told};

@@ -4,6 +4,8 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use tempfile::NamedTempFile;
+
 use super::SidecarError;
 
 /// Links that lead to links are followed so many times.
@@ -24,7 +26,7 @@ pub(super) fn replace(
     }
     let write_all = || {
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut unfinished = builder().prefix(".sidecar-").suffix(".part").tempfile_in(folder)?;
+        let mut unfinished = unfinished_in(folder)?;
         write(unfinished.as_file_mut(), bytes)?;
         if let Some(old) = old {
             unfinished.as_file().set_permissions(old)?;
@@ -34,6 +36,16 @@ pub(super) fn replace(
         Ok(())
     };
     write_all().map_err(not_saved)
+}
+
+/// Makes a file that is removed again unless it takes the place of another. Whoever may read any new file may read it, where
+/// `tempfile` by itself makes one for its owner alone.
+fn unfinished_in(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut code = None;
+    let create = |path: &Path| File::create_new(path).inspect_err(|error| code = error.raw_os_error());
+    let made = tempfile::Builder::new().prefix(".sidecar-").suffix(".part").make_in(folder, create);
+    // What the system said comes back inside a message with a name that tells nobody anything.
+    made.map_err(|error| code.map_or(error, io::Error::from_raw_os_error))
 }
 
 /// Returns the file that a path stands for, through links, also where the last of them leads to nothing yet.
@@ -46,18 +58,4 @@ fn target_of(path: &Path) -> io::Result<PathBuf> {
         }
     }
     Err(io::Error::other("links that lead in a circle"))
-}
-
-/// A new file that may be read by whoever may read any other new file; by itself a temporary one is the owner's alone.
-#[cfg(unix)]
-fn builder() -> tempfile::Builder<'static, 'static> {
-    use std::os::unix::fs::PermissionsExt;
-    let mut builder = tempfile::Builder::new();
-    builder.permissions(fs::Permissions::from_mode(0o666));
-    builder
-}
-
-#[cfg(not(unix))]
-fn builder() -> tempfile::Builder<'static, 'static> {
-    tempfile::Builder::new()
 }
