@@ -32,6 +32,9 @@ pub struct ScanOptions {
     /// Folders; new ones are added to the library. Without this all of the library's
     #[arg(value_name = "FOLDER")]
     pub folders: Vec<PathBuf>,
+    /// Do not draw previews, for which every number is read
+    #[arg(long)]
+    pub no_previews: bool,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

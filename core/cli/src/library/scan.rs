@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use motion_theater_library::query::{Order, Query};
-use motion_theater_library::scan::{Options, Progress, Scan};
+use motion_theater_library::scan::{Options, Previews, Progress, Scan};
 use motion_theater_library::{Library, LibraryError};
 use serde_json::json;
 
@@ -22,7 +22,9 @@ const GLANCE: Duration = Duration::from_millis(50);
 pub fn run(library: &Arc<Library>, options: &ScanOptions, console: &Console, stop: &AtomicBool) -> Outcome {
     let folders = add(library, &options.folders).map_err(failed)?;
     let jobs = options.workers.jobs.map(usize::from);
-    let scan = Scan::start(library, &Options { folders, previews: None, jobs }).map_err(failed)?;
+    let previews = (!options.no_previews).then(|| library.previews()).transpose().map_err(failed)?;
+    let previews = previews.map(|cache| Arc::clone(cache) as Arc<dyn Previews>);
+    let scan = Scan::start(library, &Options { folders, previews, jobs }).map_err(failed)?;
     while !scan.wait(Some(GLANCE)) {
         if stop.load(Ordering::Relaxed) {
             scan.cancel();
