@@ -38,7 +38,7 @@ test-rust: ## Test the core
 	$(LIMIT) cargo test --locked --package motion-theater-core --package motion-theater-cli --package motion-theater-library
 
 # Folders of tests that need no Blender.
-PURE := tests/native tests/logic tests/testdata tests/demo tests/docs
+PURE := tests/native tests/library tests/logic tests/testdata tests/demo tests/docs
 test-python: build/venv/tools/.module ## Test the Python module and all logic that needs no Blender
 	$(LIMIT) $(TOOLS)/python -m pytest $(wildcard $(PURE))
 

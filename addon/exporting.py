@@ -14,7 +14,7 @@ import motion_theater
 from . import compat, rig, scene, sources, stack
 from .curves import read, sampled
 from .logic import axes, names
-from .logic.messages import UserError, bones, listing
+from .logic.messages import UserError, bones, counted, listing
 
 if TYPE_CHECKING:
     from bpy.types import Context, Object, Scene
@@ -79,7 +79,7 @@ def convert(context: Context, ob: Object, request: Request) -> Exported:
     skeleton = _skeleton(ob, rest, place, template, keeps_axes=request.keeps_axes)
     scene_hz = scene.rate_hz(context.scene)
     rate_hz = request.rate_hz or scene_hz
-    frames = _frames(request.start, request.end, scene_hz / max(rate_hz, scene_hz))
+    frames = frames_between(request.start, request.end, scene_hz / max(rate_hz, scene_hz))
     samples = sampled.sample(ob, context.scene, rest, frames)
     turn, back = place.turn, axes.inverse(place.turn)
     rotations = [axes.multiply(axes.multiply(turn, one), back) for one in samples.rotations]
@@ -130,7 +130,7 @@ def _skeleton(
 ) -> motion_theater.Skeleton:
     """Return the rest pose in the file's axes, with the names and channels of the file that the armature came from."""
     motion = stack.of(ob)
-    file_name = {bone: name for name, bone in names.decode_pairs(motion.bone_names).items()}
+    file_name = names.by_bone(motion.bone_names)
     known = {name: number for number, name in enumerate(template.names)} if template else {}
     heads = axes.rotate(place.turn, rest.heads) * place.scale + place.move
     own_tails = np.array([ob.data.bones[name].tail_local for name in rest.names], np.float64)
@@ -187,10 +187,12 @@ def _join(heads: Floats, tails: Floats, parents: Sequence[int], tolerance: float
             tails[number] += gap
 
 
-def _frames(start: float, end: float, step: float) -> Floats:
+def frames_between(start: float, end: float, step: float) -> Floats:
+    """Return the frames from one to another, `step` apart; a last one that is missed by a hair counts."""
     if end < start:
         raise UserError("The last frame comes before the first one")
-    count = int(np.floor((end - start) / step + 1e-6)) + 1
+    rounding = 2.0 * float(np.spacing(np.float32(max(abs(start), abs(end)))))  # of the frames of keys
+    count = int(np.floor((end - start + rounding) / step + 1e-6)) + 1
     if count > MOST_FRAMES:
         raise UserError(f"{count} frames are more than the {MOST_FRAMES} that are exported")
     return start + step * np.arange(count, dtype=np.float64)
@@ -200,14 +202,16 @@ def _notices(ob: Object, samples: sampled.Sampled) -> list[str]:
     told = []
     if not samples.is_from_curves:
         told.append("The pose was taken frame by frame, for more than F-curves moves the bones")
+    return told + object_notices(ob)
+
+
+def object_notices(ob: Object) -> list[str]:
+    """Return what is to be said where an armature is animated as an object."""
     action = ob.animation_data.action if ob.animation_data else None
-    if action is not None and any(path in {"location", "rotation_euler", "rotation_quaternion"} for path in _paths(ob)):
-        told.append("The animation of the object itself is left out: it stands where it is at the current frame")
-    return told
-
-
-def _paths(ob: Object) -> set[str]:
-    return {path for path, _ in read.index(compat.bag_of(ob, ob.animation_data.action))}
+    paths = {path for path, _ in read.index(compat.bag_of(ob, action))}
+    if paths.isdisjoint({"location", "rotation_euler", "rotation_quaternion"}):
+        return []
+    return ["The animation of the object itself is left out: it stands where it is at the current frame"]
 
 
 def write(files: Sequence[tuple[str, bytes]]) -> None:
@@ -228,6 +232,6 @@ def write(files: Sequence[tuple[str, bytes]]) -> None:
 def told(paths: Sequence[str], exported: Exported) -> str:
     """Return the message for the user, in one line."""
     motion = exported.motion
-    count = "1 frame" if motion.frames == 1 else f"{motion.frames} frames"
+    count = counted(motion.frames, "frame")
     files = listing([Path(path).name for path in paths])
     return f"Exported {files}: {bones(len(motion.names))}, {count} at {motion.rate_hz:.6g} Hz"

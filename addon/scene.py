@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -24,6 +25,22 @@ def rate_hz(scene: Scene) -> float:
 def set_rate(scene: Scene, rate: float) -> None:
     """Set the frames per second of a scene, exactly for whole and broadcast rates."""
     scene.render.fps, scene.render.fps_base = rates.settings(rates.usual(rate))
+
+
+def go_to(scene: Scene, frame: float) -> None:
+    """Make a frame the current one, which need not be whole."""
+    whole = math.floor(frame)
+    scene.frame_set(whole, subframe=frame - whole)
+
+
+@contextmanager
+def same_frame(scene: Scene) -> Iterator[None]:
+    """Put the current frame back after the body."""
+    before = scene.frame_current_final
+    try:
+        yield
+    finally:
+        go_to(scene, before)
 
 
 def apply_range(scene: Scene, choice: ranges.Choice, start: float, end: float) -> None:

@@ -5,7 +5,7 @@ Whatever fails leaves entries, action and everything else as they were, and rais
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -75,17 +75,33 @@ def on_edit(properties: PropertyGroup, context: Context) -> None:
 def add_entry(ob: Object, kind: str, **settings: object) -> MotionEntry:
     """Put a new entry on top of the stack, with these settings, and rebuild."""
     motion = of(ob)
+    add_entries(ob, [{"kind": kind, **settings}])
+    return motion.entries[motion.active]
+
+
+def add_entries(ob: Object, entries: Sequence[Mapping[str, object]], *, instead: bool = False) -> list[str]:
+    """Put entries with these settings on top of the stack, or in place of all others, and rebuild once.
+
+    Return what the user should know. What an override has from its library stays.
+    """
+    motion = of(ob)
+    kept = [entry.action for entry in motion.entries if entry.action is not None] if instead else []
     with _restored_on_error(ob):
         if not motion.entries:
             _take_base(ob)
-        entry = motion.entries.add()
-        with quietly():
-            entry.kind = kind
-            for name, value in settings.items():
-                setattr(entry, name, value)
-            motion.active = len(motion.entries) - 1
-        rebuild(ob)
-    return motion.entries[motion.active]
+        if instead:
+            _cut_down(ob)
+        for settings in entries:
+            entry = motion.entries.add()
+            with quietly():
+                for name, value in settings.items():
+                    setattr(entry, name, value)
+        motion.active = len(motion.entries) - 1
+        notices = rebuild(ob)
+    for action in kept:
+        if not action.users:
+            bpy.data.actions.remove(action)
+    return notices
 
 
 def remove_entry(ob: Object, index: int) -> None:
@@ -176,6 +192,14 @@ def _library_count(ob: Object) -> int:
     return len(of(linked).entries)
 
 
+def _cut_down(ob: Object) -> int:
+    """Take away all entries that can be; return how many are left."""
+    motion, fixed = of(ob), _library_count(ob)
+    while len(motion.entries) > fixed:
+        motion.entries.remove(len(motion.entries) - 1)
+    return fixed
+
+
 def _refuse_library_entries(ob: Object, index: int) -> None:
     if index < _library_count(ob):
         raise UserError(f"“{of(ob).entries[index].name}” comes from a linked file and must stay: switch it off instead")
@@ -213,9 +237,7 @@ def _restored_on_error(ob: Object) -> Iterator[None]:
     try:
         yield
     except BaseException:
-        fixed = _library_count(ob)
-        while len(motion.entries) > fixed:
-            motion.entries.remove(len(motion.entries) - 1)
+        fixed = _cut_down(ob)
         for index, settings in enumerate(before):
             _apply(motion.entries[index] if index < fixed else motion.entries.add(), settings)
         motion.active = active

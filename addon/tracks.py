@@ -41,7 +41,7 @@ class Request:
     import_options: Mapping[str, object] = field(default_factory=dict)
     """How a skeleton is imported where one is: arguments of `skeletons.import_skeleton`."""
     skeleton_candidates: tuple[str, ...] = ()
-    """Skeleton files that came together with the motion, best first."""
+    """Skeleton files that came together with the motion."""
     settings: Mapping[str, object] = field(default_factory=dict)
     """Settings of the entry, by the names of its properties."""
 
@@ -64,10 +64,7 @@ def chosen_bones(ob: Object | None, *, selected_only: bool, bone_collection: str
 def add_track(context: Context, ob: Object | None, request: Request) -> str:
     """Add a motion file as a track; return the message for the user. Run inside `scene.unchanged_on_error`."""
     loaded = sources.read_file(request.path)
-    if loaded.clip.format in MARKER_FORMATS:
-        raise UserError(f"{base_name(request.path)} holds markers, not the motion of bones: import it as it is")
-    if not loaded.clip.frames:
-        raise UserError(f"{base_name(request.path)} holds no motion: choose an .amc or .bvh file")
+    check_is_motion(loaded)
     bones = chosen_bones(ob, selected_only=request.selected_only, bone_collection=request.bone_collection)
     ob, skeleton_text, told = _armature_for(context, ob, loaded, request, may_import=bones is None)
     rate_hz = _rate_of(loaded, request)
@@ -84,14 +81,29 @@ def add_track(context: Context, ob: Object | None, request: Request) -> str:
         keys="SAMPLES" if request.rate == "SAMPLES" else "FRAMES",
         **request.settings,
     )
-    tracks = [track for track in stack.of(ob).entries if track.kind == "TRACK" and track.enabled]
-    start, end = min(track.result_start for track in tracks), max(track.result_end for track in tracks)
-    scene.apply_range(context.scene, request.scene_range, start, end)
+    apply_range(context, ob, request.scene_range)
     count = len(ob.data.bones) if bones is None else len(bones)
     added = track_added(request.path, count, entry.result_start, entry.result_end)
     message = sentences(dict.fromkeys([*told, added, *loaded.clip.notices, *names.split(entry.notices)]))
     stack.of(ob).message = message
     return message
+
+
+def check_is_motion(loaded: sources.Loaded) -> None:
+    """Refuse a file without a motion of bones."""
+    name = base_name(loaded.clip.path)
+    if loaded.clip.format in MARKER_FORMATS:
+        raise UserError(f"{name} holds markers, not the motion of bones: import it as it is")
+    if not loaded.clip.frames:
+        raise UserError(f"{name} holds no motion: choose an .amc or .bvh file")
+
+
+def apply_range(context: Context, ob: Object, choice: Choice) -> None:
+    """Let the frame range of the scene meet that of an armature's tracks."""
+    tracks = [track for track in stack.of(ob).entries if track.kind == "TRACK" and track.enabled]
+    if tracks:
+        start, end = min(track.result_start for track in tracks), max(track.result_end for track in tracks)
+        scene.apply_range(context.scene, choice, start, end)
 
 
 def _rate_of(loaded: sources.Loaded, request: Request) -> float:
@@ -112,58 +124,50 @@ def _armature_for(
         if reason:
             raise UserError(reason)
         try:
-            return ob, *_fitted(ob, loaded, request)
+            return ob, *fitted(ob, loaded, request)
         except UserError:
             if not may_import:
                 raise
             misfitting = ob
             try:
-                path, reason = _skeleton_file(loaded, request)
+                pairing = pairing_of(loaded, request, may_guess=False)
             except UserError:
-                path = ""
-            if not path or _same_bones(misfitting, path):
+                pairing = None
+            if pairing is None or _same_bones(misfitting, pairing.skeleton):
                 raise
     else:
-        path, reason = _skeleton_file(loaded, request)
+        pairing = pairing_of(loaded, request, may_guess=True)
     options: dict[str, Any] = dict(request.import_options)
-    ob, told = skeletons.import_skeleton(context, path, **options)
-    taken = f"Took {base_name(path)}, because {reason}" if reason else ""
-    return ob, "", [taken, *told]
+    ob, told = skeletons.import_skeleton(context, pairing.skeleton, **options)
+    return ob, "", [pairing.told, *told]
 
 
-def _skeleton_file(loaded: sources.Loaded, request: Request) -> tuple[str, str]:
-    """Return the skeleton file of a motion, and why it was taken; no reason where the user named it."""
-    if request.skeleton and not sources.has_own_skeleton(loaded):
-        sources.bind(loaded, sources.text_of(sources.read_file(request.skeleton)))
-        return request.skeleton, ""
+def pairing_of(loaded: sources.Loaded, request: Request, *, may_guess: bool) -> sources.Pairing:
+    """Return the skeleton of a motion; nothing is said where it is the file's own, or the user named it."""
     if sources.has_own_skeleton(loaded):
-        return request.path, ""
-    for path in request.skeleton_candidates:
-        try:
-            sources.bind(loaded, sources.text_of(sources.read_file(path)))
-        except UserError:
-            continue
-        return path, "it came with the motion"
-    _, path, reason = sources.find_skeleton(request.path, loaded)
-    return path, reason
+        return sources.Pairing(loaded)
+    if request.skeleton:
+        named = sources.read_file(request.skeleton)
+        sources.bind(loaded, sources.text_of(named))
+        return sources.Pairing(named)
+    return sources.find_skeleton(request.path, loaded, request.skeleton_candidates, may_guess=may_guess)
 
 
-def _same_bones(ob: Object, path: str) -> bool:
+def _same_bones(ob: Object, skeleton: sources.Loaded) -> bool:
     """Return whether an armature has all bones of a skeleton file, so that importing it would not help."""
-    skeleton = sources.as_skeleton(sources.read_file(path))
-    return len(sources.matched_bones(stack.of(ob), skeleton, ob.data.bones.keys())) == len(skeleton.names)
+    file = sources.as_skeleton(skeleton)
+    return len(sources.matched_bones(stack.of(ob), file, ob.data.bones.keys())) == len(file.names)
 
 
-def _fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, list[str]]:
+def fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, list[str]]:
     """Return the skeleton text that a track on this armature needs for itself, and what is to be said about it."""
     motion = stack.of(ob)
     told: list[str] = []
     own = motion.skeleton_text
     if request.skeleton or not own or sources.has_own_skeleton(loaded):
-        path, reason = _skeleton_file(loaded, request)
-        text = sources.text_of(sources.read_file(path))
-        if reason:
-            told.append(f"Took {base_name(path)}, because {reason}")
+        pairing = pairing_of(loaded, request, may_guess=True)
+        text = sources.text_of(pairing.skeleton)
+        told += [pairing.told] if pairing.told else []
     else:
         text = own
     skeleton = sources.skeleton_from_text(text)

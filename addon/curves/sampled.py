@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import compat, rig
+from .. import compat, rig, scene
 from ..logic import axes
 from ..logic.keys import LINEAR
 from . import read
@@ -35,13 +35,22 @@ class Sampled:
     is_from_curves: bool
 
 
-def sample(ob: Object, scene: Scene, rest: rig.Rest, frames: Floats) -> Sampled:
+def sample(ob: Object, current: Scene, rest: rig.Rest, frames: Floats) -> Sampled:
     """Return the motion of an armature at these scene frames."""
-    return _from_curves(ob, rest, frames) if moved_by_curves_alone(ob) else _from_poses(ob, scene, rest, frames)
+    return _from_curves(ob, rest, frames) if moved_by_curves_alone(ob) else _from_poses(ob, current, rest, frames)
 
 
 def moved_by_curves_alone(ob: Object) -> bool:
     """Return whether the pose is nothing but the values of the F-curves of one action."""
+    curves = read.index(compat.bag_of(ob, ob.animation_data.action if ob.animation_data else None))
+    scaled = {path for path, _ in curves if path.endswith(".scale")}
+    return shows_one_action(ob) and all(
+        _follows_its_channels(bone) and read.path(bone.name, "scale") not in scaled for bone in ob.pose.bones
+    )
+
+
+def shows_one_action(ob: Object) -> bool:
+    """Return whether the channels of an armature have the values of one action, and these decide over the pose."""
     for owner in (ob, ob.data):
         animation = owner.animation_data
         if animation is None:
@@ -50,11 +59,7 @@ def moved_by_curves_alone(ob: Object) -> bool:
         is_mixed = animation.action_influence != 1.0 or animation.action_blend_type != "REPLACE"
         if uses_nla or is_mixed or len(animation.drivers):
             return False
-    curves = read.index(compat.bag_of(ob, ob.animation_data.action if ob.animation_data else None))
-    scaled = {path for path, _ in curves if path.endswith(".scale")}
-    return ob.data.pose_position == "POSE" and all(
-        _follows_its_channels(bone) and read.path(bone.name, "scale") not in scaled for bone in ob.pose.bones
-    )
+    return bool(ob.data.pose_position == "POSE")
 
 
 def _follows_its_channels(bone: PoseBone) -> bool:
@@ -106,17 +111,18 @@ def _column(curve: FCurve | None, still: float, frames: Floats) -> Floats:
     return np.array([curve.evaluate(frame) for frame in frames.tolist()])
 
 
-def _from_poses(ob: Object, scene: Scene, rest: rig.Rest, frames: Floats) -> Sampled:
-    before = scene.frame_current, scene.frame_subframe
-    matrices = np.empty((len(frames), 16 * len(rest.names)), np.float32)
-    try:
-        for row, frame in zip(matrices, frames.tolist(), strict=True):
-            whole = int(np.floor(frame))
-            scene.frame_set(whole, subframe=frame - whole)
+def matrices(ob: Object, current: Scene, frames: Floats) -> Floats:
+    """Return (frames, bones, 4, 4): the pose matrices at scene frames, each with its columns as rows."""
+    rows = np.empty((len(frames), 16 * len(ob.pose.bones)), np.float32)
+    with scene.same_frame(current):
+        for row, frame in zip(rows, frames.tolist(), strict=True):
+            scene.go_to(current, frame)
             ob.pose.bones.foreach_get("matrix", row)
-    finally:
-        scene.frame_set(before[0], subframe=before[1])
-    columns = matrices.reshape(len(frames), -1, 4, 4).astype(np.float64)
+    return rows.reshape(len(frames), -1, 4, 4).astype(np.float64)
+
+
+def _from_poses(ob: Object, current: Scene, rest: rig.Rest, frames: Floats) -> Sampled:
+    columns = matrices(ob, current, frames)
     turned = columns[:, :, :3, :3].transpose(0, 1, 3, 2)
     turned = turned / np.linalg.norm(turned, axis=2, keepdims=True)
     heads = columns[:, :, 3, :3]

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from .messages import base_name
-from .skeleton_search import candidates
+from .messages import base_name, counted
 
 
 @dataclass(frozen=True)
@@ -17,7 +16,7 @@ class Job:
     format: str
     """What its content says; empty where nothing reads it."""
     skeletons: tuple[str, ...] = ()
-    """For a motion without a skeleton of its own: the skeletons that came with it, best first."""
+    """For a motion without a skeleton of its own: the skeletons that came with it."""
 
 
 @dataclass
@@ -47,7 +46,7 @@ SHOWN_REASONS = 2
 
 def files(count: int) -> str:
     """Return a number of files in words."""
-    return "1 file" if count == 1 else f"{count} files"
+    return counted(count, "file")
 
 
 def plan(paths: Iterable[str], format_of: Callable[[str], str]) -> list[Job]:
@@ -58,17 +57,9 @@ def plan(paths: Iterable[str], format_of: Callable[[str], str]) -> list[Job]:
     formats = {path: format_of(path) for path in paths}
     skeletons = [path for path, kind in formats.items() if kind == "asf"]
     motions = [
-        Job(path, kind, _ranked(path, skeletons) if kind == "amc" else ())
-        for path, kind in formats.items()
-        if kind != "asf"
+        Job(path, kind, tuple(skeletons) if kind == "amc" else ()) for path, kind in formats.items() if kind != "asf"
     ]
     return motions + [Job(path, "asf") for path in skeletons]
-
-
-def _ranked(motion: str, skeletons: list[str]) -> tuple[str, ...]:
-    """Return skeletons for a motion: those whose names speak for them first, then all others."""
-    likely = [candidate.path for candidate in candidates(motion, None, skeletons, ())]
-    return tuple(dict.fromkeys([*likely, *skeletons]))
 
 
 def used_by(skeleton: str, motion: str) -> str:

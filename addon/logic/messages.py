@@ -24,9 +24,14 @@ def listing(names: Sequence[str]) -> str:
     return shown if hidden <= 0 else f"{shown} and {hidden} more"
 
 
+def counted(count: int, what: str) -> str:
+    """Return a number of things in words."""
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
 def bones(count: int) -> str:
     """Return a number of bones in words."""
-    return "1 bone" if count == 1 else f"{count} bones"
+    return counted(count, "bone")
 
 
 def frame(value: float) -> str:

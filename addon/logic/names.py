@@ -23,11 +23,20 @@ def encode_pairs(pairs: Iterable[tuple[str, str]]) -> str:
 
 def decode_pairs(text: str) -> dict[str, str]:
     """Return bone names by file name from what `encode_pairs` made; nothing where there is none, or rubbish."""
+    return dict(_pairs(text))
+
+
+def by_bone(text: str) -> dict[str, str]:
+    """Return file names by bone name from what `encode_pairs` made; several bones may have the same."""
+    return {bone: file_name for file_name, bone in _pairs(text)}
+
+
+def _pairs(text: str) -> list[tuple[str, str]]:
     try:
         pairs = json.loads(text) if text else []
-        return {str(file_name): str(bone) for file_name, bone in pairs}
+        return [(str(file_name), str(bone)) for file_name, bone in pairs]
     except (ValueError, TypeError):
-        return {}
+        return []
 
 
 def match(file_names: Iterable[str], bones: Sequence[str], known: Mapping[str, str]) -> dict[str, str]:

@@ -89,6 +89,36 @@ def without_holes(frames: NDArray[np.float64], step: float) -> NDArray[np.float6
     return np.sort(np.concatenate([frames, *filled]))
 
 
+def snapped(frames: NDArray[np.float64], samples: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return frames with the exact one of a sample (ascending) where that is meant: keys have 32 bits."""
+    if not len(samples):
+        return frames
+    right = np.clip(np.searchsorted(samples, frames), 0, len(samples) - 1)
+    left = np.maximum(right - 1, 0)
+    nearest = np.where(np.abs(samples[left] - frames) < np.abs(samples[right] - frames), samples[left], samples[right])
+    meant = np.abs(nearest - frames) <= 2.0 * np.spacing(np.abs(frames).astype(np.float32)) + SAME_SAMPLE
+    return np.where(meant, nearest, frames)
+
+
+def around(
+    frames: NDArray[np.float64], samples: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the samples before and after each frame, which are one where it lies on a sample, or beyond all."""
+    if not len(samples):
+        return frames, frames
+    last = len(samples) - 1
+    before = np.clip(np.searchsorted(samples, frames, "right") - 1, 0, last)
+    return samples[before], samples[np.clip(np.searchsorted(samples, frames, "left"), 0, last)]
+
+
+def as_in_file(positions: NDArray[np.float64], up: str) -> NDArray[np.float64]:
+    """Return (..., 3) positions of Blender in the axes of a file in which the axis `up` points up."""
+    turned = np.empty_like(positions)
+    for component, (axis, sign) in enumerate(UPRIGHT[up]):
+        turned[..., axis] = positions[..., component] * sign
+    return turned
+
+
 def changes(seen: Flags) -> NDArray[np.intp]:
     """Return the keys on which a marker comes into sight or drops out, after the first key."""
     return np.flatnonzero(seen[1:] != seen[:-1]) + 1

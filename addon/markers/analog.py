@@ -10,6 +10,7 @@ import numpy as np
 from .. import compat
 from ..curves import read, write
 from ..logic.keys import NEAREST
+from ..logic.messages import counted
 from . import properties
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ def add(ob: Object, recorded: motion_theater.Markers) -> str:
         slot = (f'["{bpy.utils.escape_identifier(name)}"]', 0)
         curve = curves.get(slot) or write.new_curve(bag, curves, GROUP, slot)
         write.write_keys(curve, write.Wanted(_keys(samples[::every], lies.first_frame, step * every)))
-    count = "1 analog channel" if len(channels) == 1 else f"{len(channels)} analog channels"
+    count = counted(len(channels), "analog channel")
     thinned = f", every {every} samples" if every > 1 else ""
     return f"{count} as custom properties{thinned}"
 

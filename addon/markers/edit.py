@@ -10,7 +10,7 @@ import numpy as np
 import motion_theater
 
 from .. import rig
-from ..logic.messages import NO_BONES_SELECTED, UserError
+from ..logic.messages import NO_BONES_SELECTED, UserError, counted
 from . import keys
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def filter_markers(ob: Object, *, kind: motion_theater.FilterKind, depth: int, s
     filtered = markers.filtered(kind=kind, depth=depth, markers=names)
     wanted = set(names)
     _write(recorded, bones, filtered, {number for number, name in enumerate(bones) if name in wanted})
-    count = "1 marker" if len(names) == 1 else f"{len(names)} markers"
+    count = counted(len(names), "marker")
     return f"Filtered {count}: {kind.lower()}, depth {depth}"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..logic.messages import counted
 from . import properties
 
 if TYPE_CHECKING:
@@ -19,18 +20,21 @@ def add(scene: Scene, ob: Object, recorded: motion_theater.Markers) -> str:
     there = {(marker.name, marker.frame) for marker in scene.timeline_markers}
     added = 0
     for event in recorded.events:
-        name = " ".join(part for part in (event.subject, event.context, event.label) if part) or "Event"
-        frame = scene_frame(ob, event)
+        name, frame = name_of(event), round(moment(ob, event))
         if (name, frame) not in there:
             scene.timeline_markers.new(name, frame=frame)
             there.add((name, frame))
             added += 1
-    count = "1 event" if added == 1 else f"{added} events"
-    return f"{count} on the timeline"
+    return f"{counted(added, 'event')} on the timeline"
 
 
-def scene_frame(ob: Object, event: motion_theater.Event) -> int:
-    """Return the scene frame that is nearest to an event."""
+def name_of(event: motion_theater.Event) -> str:
+    """Return what an event is called on the timeline."""
+    return " ".join(part for part in (event.subject, event.context, event.label) if part) or "Event"
+
+
+def moment(ob: Object, event: motion_theater.Event) -> float:
+    """Return the scene frame, not always whole, at which an event of a marker set's file is."""
     lies = properties.of(ob)
     file_frame = event.frame if event.frame is not None else event.time_s * lies.rate_hz + 1.0
-    return round(lies.first_frame + (file_frame - lies.first_frame) * lies.frame_step)
+    return float(lies.first_frame + (file_frame - lies.first_frame) * lies.frame_step)

@@ -11,7 +11,7 @@ import numpy as np
 from .. import compat, scene, sources
 from ..logic import names, trajectories
 from ..logic.extent import ASSUMED_RATE_HZ
-from ..logic.messages import UserError, base_name, frame_range, sentences
+from ..logic.messages import UserError, base_name, counted, frame_range, sentences
 from ..logic.rates import usual
 from ..properties import FRAME_LIMIT
 from . import analog, build, events, keys, lines, properties
@@ -77,7 +77,7 @@ def import_markers(
     if with_events:
         told.append(events.add(context.scene, ob, recorded))
     scene.apply_range(context.scene, scene_range, float(sampling.frames[0]), float(sampling.frames[-1]))
-    first = f"Imported {base_name(clip.path)}: {_count(len(bones), 'marker')}"
+    first = f"Imported {base_name(clip.path)}: {counted(len(bones), 'marker')}"
     span = frame_range(float(sampling.frames[0]), float(sampling.frames[-1]))
     message = sentences([f"{first}, {span}", dropped, *told, *_inferred(clip, scale, up)])
     remembered.message = message
@@ -97,7 +97,7 @@ def _points(clip: motion_theater.Clip) -> tuple[list[int], list[str]]:
     if len(chosen) > MOST_MARKERS:
         raise UserError(f"{name} has {len(chosen)} markers: more than {MOST_MARKERS} are not imported")
     others = len(recorded.kinds) - len(chosen)
-    computed = f"Left out {_count(others, 'point')} of the file that are angles, forces or other computed values"
+    computed = f"Left out {counted(others, 'point')} of the file that are angles, forces or other computed values"
     return chosen, [computed] if others else []
 
 
@@ -138,11 +138,11 @@ def _make(
         keys.write_trajectory(bag, curves, bone, sampling.frames, along, seen)
         found = trajectories.gaps(seen)
         gaps, with_gaps, never = gaps + found, with_gaps + bool(found), never + (not seen.any())
-    return ob, bones, sentences([_dropouts(gaps, with_gaps), f"{_count(never, 'marker')} never seen" if never else ""])
+    return ob, bones, sentences([_dropouts(gaps, with_gaps), f"{counted(never, 'marker')} never seen" if never else ""])
 
 
 def _dropouts(gaps: int, markers: int) -> str:
-    return f"{_count(gaps, 'gap')} in {_count(markers, 'marker')}" if gaps else ""
+    return f"{counted(gaps, 'gap')} in {counted(markers, 'marker')}" if gaps else ""
 
 
 def _inferred(clip: motion_theater.Clip, scale: float, up: str) -> list[str]:
@@ -156,7 +156,3 @@ def _pairs(recorded: motion_theater.Markers, chosen: list[int]) -> list[tuple[in
     """Return the pairs of neighbors as numbers of the chosen markers."""
     number = {at: number for number, at in enumerate(chosen)}
     return [(number[a], number[b]) for a, b in recorded.neighbours() if a in number and b in number]
-
-
-def _count(count: int, what: str) -> str:
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"

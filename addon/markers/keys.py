@@ -8,7 +8,7 @@ another data-block before 5.0, and does not hide what is attached.)
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,10 +17,11 @@ import numpy as np
 from .. import compat
 from ..curves import read, write
 from ..logic import trajectories
+from ..logic.keys import NEAREST
 from . import properties
 
 if TYPE_CHECKING:
-    from bpy.types import FCurve, Object
+    from bpy.types import Object
     from numpy.typing import NDArray
 
     from ..compat import Bag
@@ -61,7 +62,7 @@ def _write_dropouts(bag: Bag, curves: read.Index, bone: str, frames: NDArray[np.
             if slot in curves:
                 write.remove_curve(bag, curves, slot)
         return
-    at = np.concatenate(([0], trajectories.changes(seen)))
+    at = np.unique([0, *trajectories.changes(seen), len(seen) - 1])  # the last tells how long the recording is
     keys = np.empty(2 * len(at), np.float32)
     keys[0::2], keys[1::2] = frames[at], np.where(seen[at], SHOWN, DROPPED_OUT)
     for slot in slots:
@@ -92,52 +93,87 @@ def read_trajectories(ob: Object, bones: Sequence[str]) -> Recorded | None:
     animation = ob.animation_data
     bag = compat.bag_of(ob, animation.action) if animation is not None else None
     curves = read.index(bag)
-    found = [[curves.get((read.path(bone, "location"), component)) for component in range(3)] for bone in bones]
-    rows = [[read.coordinates(curve) for curve in of_bone] for of_bone in found]
-    frames = _all_frames(rows, properties.of(ob).key_step)
+    rows = {slot: read.coordinates(curves.get(slot)) for bone in bones for slot in slots(bone)}
+    frames = _all_frames(rows.values(), properties.of(ob).key_step)
     if bag is None or not len(frames):
         return None
     places = np.array([ob.data.bones[bone].head_local for bone in bones], np.float64)
     positions = np.empty((len(bones), len(frames), 3))
     for number, bone in enumerate(bones):
-        for component in range(3):
-            positions[number, :, component] = _values(found[number][component], rows[number][component], frames)
-        positions[number] += places[number]
-        positions[number, ~_seen(curves.get((read.path(bone, "scale"), 0)), frames)] = np.nan
+        positions[number] = _values(curves, rows, bone, frames) + places[number]
+        positions[number, ~_seen(curves, bone, frames)] = np.nan
     return Recorded(bag, curves, frames, positions, places)
 
 
-def _all_frames(rows: list[list[NDArray[np.float32]]], step: float) -> NDArray[np.float64]:
+def sample_trajectories(ob: Object, bones: Sequence[str], frames: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return (bones, frames, 3): where markers are at any scene frames, in armature space, NaN while dropped out.
+
+    Between two samples a marker is seen only if it was seen on both, and only its F-curves decide where it is.
+    """
+    curves = curves_of(ob)
+    rows = {slot: read.coordinates(curves.get(slot)) for bone in bones for slot in slots(bone)}
+    dropouts = [read.coordinates(curves.get((read.path(bone, "scale"), 0))) for bone in bones]
+    samples = _all_frames([*rows.values(), *dropouts], properties.of(ob).key_step)
+    at = trajectories.snapped(frames, samples)
+    before, after = trajectories.around(at, samples)
+    positions = np.empty((len(bones), len(frames), 3))
+    for number, bone in enumerate(bones):
+        still = np.array(ob.pose.bones[bone].location) * [slot not in curves for slot in slots(bone)]
+        positions[number] = _values(curves, rows, bone, at) + still + np.array(ob.data.bones[bone].head_local)
+        positions[number, ~(_seen(curves, bone, before) & _seen(curves, bone, after))] = np.nan
+    return positions
+
+
+def curves_of(ob: Object) -> read.Index:
+    """Return the F-curves that animate an object."""
+    animation = ob.animation_data
+    return read.index(compat.bag_of(ob, animation.action) if animation is not None else None)
+
+
+def slots(bone: str) -> list[tuple[str, int]]:
+    """Return path and index of the three F-curves that hold the location of a marker."""
+    return [(read.path(bone, "location"), component) for component in range(3)]
+
+
+def _all_frames(rows: Iterable[NDArray[np.float32]], step: float) -> NDArray[np.float64]:
     """Return all frames with keys, and those that are missing among them because no marker was seen there.
 
     Most curves have the same frames, which are looked at once.
     """
     different: dict[bytes, NDArray[np.float32]] = {}
-    for of_bone in rows:
-        for row in of_bone:
-            different.setdefault(row[0::2].tobytes(), row[0::2])
+    for row in rows:
+        different.setdefault(row[0::2].tobytes(), row[0::2])
     keyed = np.unique(np.concatenate([*different.values(), np.empty(0, np.float32)])).astype(np.float64)
     return trajectories.without_holes(keyed, step)
 
 
-def _values(curve: FCurve | None, row: NDArray[np.float32], frames: NDArray[np.float64]) -> Floats:
-    """Return a curve's values on all frames: those of its keys, and between them what Blender itself evaluates."""
-    if curve is None or not len(row):
-        return np.zeros(len(frames))
-    at = row[0::2].astype(np.float64)
-    values: Floats = np.interp(frames, at, row[1::2])
-    if len(at) < len(frames) and bool((read.field(curve, "interpolation") != write.LINEAR).any()):
-        for number in np.flatnonzero(~np.isin(frames, at)):
-            values[number] = curve.evaluate(float(frames[number]))
+def _values(
+    curves: read.Index, rows: Mapping[tuple[str, int], NDArray[np.float32]], bone: str, frames: NDArray[np.float64]
+) -> Floats:
+    """Return (frames, 3) values of a bone's curves: those of its keys, and between them what Blender itself evaluates.
+
+    Where there is no curve they are 0.
+    """
+    values = np.zeros((len(frames), 3))
+    for component, slot in enumerate(slots(bone)):
+        curve, row = curves.get(slot), rows[slot]
+        if curve is None or not len(row):
+            continue
+        at = row[0::2].astype(np.float64)
+        column = np.interp(frames, at, row[1::2])
+        if bool((read.field(curve, "interpolation") != write.LINEAR).any()):
+            for number in np.flatnonzero(~np.isin(frames, at)):
+                column[number] = curve.evaluate(float(frames[number]))
+        values[:, component] = column
     return values
 
 
-def _seen(scale: FCurve | None, frames: NDArray[np.float64]) -> Flags:
+def _seen(curves: read.Index, bone: str, frames: NDArray[np.float64]) -> Flags:
     """Return on which frames a marker is shown, as its scale says."""
-    row = read.coordinates(scale)
+    row = read.coordinates(curves.get((read.path(bone, "scale"), 0)))
     if not len(row):
         return np.ones(len(frames), np.bool_)
-    key = np.searchsorted(row[0::2].astype(np.float64), frames, "right") - 1
+    key = np.searchsorted(row[0::2].astype(np.float64), frames + NEAREST / 2, "right") - 1
     shown: Flags = row[1::2][np.maximum(key, 0)] != DROPPED_OUT
     return shown
 

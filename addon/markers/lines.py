@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import bpy
 
-from .. import compat
 from ..curves import read
 from ..logic.messages import UserError
+from . import keys
 
 if TYPE_CHECKING:
     from bpy.types import Context, Modifier, Object
@@ -55,8 +55,7 @@ def check_none(ob: Object) -> None:
 
 
 def _with_dropouts(ob: Object, bones: Sequence[str]) -> list[str]:
-    animation = ob.animation_data
-    curves = read.index(compat.bag_of(ob, animation.action) if animation is not None else None)
+    curves = keys.curves_of(ob)
     return [bone for bone in bones if (read.path(bone, "scale"), 0) in curves]
 
 

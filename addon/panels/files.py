@@ -33,6 +33,9 @@ def draw_export_menu(menu: Menu, context: Context) -> None:
     """Add the entries of File > Export."""
     menu.layout.operator("motion_theater.export_bvh", text="Motion Capture as BVH (.bvh)")
     menu.layout.operator("motion_theater.export_acclaim", text="Motion Capture as Acclaim (.asf + .amc)")
+    menu.layout.operator("motion_theater.export_c3d", text="Markers as C3D (.c3d)")
+    menu.layout.operator("motion_theater.export_csm", text="Markers as CSM (.csm)")
+    menu.layout.operator("motion_theater.export_trc", text="Markers as TRC (.trc)")
 
 
 CLASSES = (MOTION_THEATER_FH_motion_capture,)

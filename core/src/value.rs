@@ -248,8 +248,12 @@ impl Value for Turn {
 
     fn crossfade(old: &[Self], new: &[Self], weights: &[f64], blend: Blend, frame: &EulerFrame) -> Vec<Self> {
         let mut mixed = mix_each(old, new, weights);
-        for (value, &weight) in mixed.iter_mut().zip(weights) {
+        // Between two samples a rotation is not that of the angles between theirs: the pose is what is blended, as on
+        // bones without angles.
+        let angles = |value: &Self| frame.order.angles_near(value.rotation, value.angles);
+        for (value, ((old, new), &weight)) in mixed.iter_mut().zip(old.iter().zip(new).zip(weights)) {
             if blend == Blend::Euler && weight > 0.0 && weight < 1.0 {
+                value.angles = lerp_angles(angles(old), angles(new), weight);
                 value.rotation = frame.order.quat(value.angles);
             }
         }

@@ -245,6 +245,9 @@ def test_the_menus_of_file_offer_every_kind_of_file() -> None:
         ("motion_theater.import_motion_capture", "Motion Capture (.bvh/.asf/.amc/.c3d/.csm/.trc)"),
         ("motion_theater.export_bvh", "Motion Capture as BVH (.bvh)"),
         ("motion_theater.export_acclaim", "Motion Capture as Acclaim (.asf + .amc)"),
+        ("motion_theater.export_c3d", "Markers as C3D (.c3d)"),
+        ("motion_theater.export_csm", "Markers as CSM (.csm)"),
+        ("motion_theater.export_trc", "Markers as TRC (.trc)"),
     ]
 
 

@@ -25,7 +25,6 @@ mod load;
 mod points;
 mod pose;
 mod store;
-mod upright;
 mod write;
 
 use std::ffi::OsString;

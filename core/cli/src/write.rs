@@ -9,6 +9,7 @@ use motion_theater_core::formats::c3d::{C3d, Encoding, Processor, Storage};
 use motion_theater_core::formats::csm::Csm;
 use motion_theater_core::formats::trc::Trc;
 use motion_theater_core::formats::AngleUnit;
+use motion_theater_core::loaded::Loaded;
 use motion_theater_core::markers::Markers;
 use motion_theater_core::read::Format;
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
@@ -17,7 +18,7 @@ use motion_theater_core::{Dof, Motion, ParameterError, Skeleton};
 use crate::folder::format_of;
 use crate::joints_as_markers::joints_as_markers;
 use crate::left_out::left_out;
-use crate::load::Loaded;
+use crate::load::{moving, skeleton, warning};
 use crate::store::store;
 use crate::WrongUse;
 
@@ -28,32 +29,40 @@ const TRACE_RAD: f64 = 0.1 * std::f64::consts::PI / 180.0;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Files {
     /// The one that was asked for comes last.
-    files: Vec<(PathBuf, Vec<u8>)>,
+    outputs: Vec<(PathBuf, Vec<u8>)>,
     /// What the format has no place for, a few words each.
     left_out: Vec<String>,
+    /// What must be told of the motion that they hold.
+    warning: Option<&'static str>,
 }
 
 impl Files {
     fn one(path: &Path, bytes: Vec<u8>) -> Self {
-        Self { files: vec![(path.to_owned(), bytes)], left_out: Vec::new() }
+        Self { outputs: vec![(path.to_owned(), bytes)], ..Self::default() }
     }
 
     /// Writes them, the one that was asked for last: where it is there, all are.
     pub fn store(&self) -> Result<(), String> {
-        self.files.iter().try_for_each(|(path, bytes)| store(path, bytes))
+        self.outputs.iter().try_for_each(|(path, bytes)| store(path, bytes))
     }
 
     /// Returns the paths, the one that was asked for first.
     pub fn paths(&self) -> impl Iterator<Item = &Path> {
-        self.files.iter().rev().map(|(path, _)| path.as_path())
+        self.outputs.iter().rev().map(|(path, _)| path.as_path())
     }
 
-    /// Returns what became of a file, on one line.
+    /// Tells with them what must be told of the skeleton that the motion was taken to have.
+    pub fn warning_of(self, loaded: &Loaded) -> Self {
+        Self { warning: warning(loaded), ..self }
+    }
+
+    /// Returns what became of a file: a line, and another one where there is something to be told.
     pub fn verdict(&self, input: &Path) -> String {
         let written: Vec<_> = self.paths().map(|path| path.display().to_string()).collect();
         let left_out =
             if self.left_out.is_empty() { String::new() } else { format!(" (left out: {})", self.left_out.join(", ")) };
-        format!("{} -> {}{left_out}", input.display(), written.join(", "))
+        let warning = self.warning.map(|text| format!("\n  {text}")).unwrap_or_default();
+        format!("{} -> {}{left_out}{warning}", input.display(), written.join(", "))
     }
 }
 
@@ -77,12 +86,17 @@ pub fn converted(loaded: &Loaded, format: Format, rate_hz: Option<f64>, output: 
         return of_markers(loaded, &changed, format, output);
     }
     if loaded.frame_count() == 0 {
-        return of_motion(loaded, loaded.skeleton()?, &Motion::default(), format, output);
+        return of_motion(loaded, skeleton(loaded)?, &Motion::default(), format, output);
     }
-    let (skeleton, motion) = loaded.moving()?;
-    let Some(rate_hz) = rate_hz else { return of_motion(loaded, skeleton, motion, format, output) };
-    let known = Motion { rate_hz: loaded.rate_hz(), ..motion.clone() };
-    of_motion(loaded, skeleton, &known.resampled(rate_hz).map_err(resampled)?, format, output)
+    let (skeleton, motion) = moving(loaded)?;
+    let motion = match rate_hz {
+        None => motion,
+        Some(rate_hz) => {
+            let known = Motion { rate_hz: loaded.rate_hz(), ..motion.clone() };
+            &known.resampled(rate_hz).map_err(resampled)?
+        }
+    };
+    Ok(of_motion(loaded, skeleton, motion, format, output)?.warning_of(loaded))
 }
 
 /// Returns a motion that was made from that of a file, in a format; as markers, its joints.
@@ -112,7 +126,7 @@ pub fn of_motion(
             let amc = Amc::from_motion(&needed, &motion, AngleUnit::Degrees).to_bytes();
             let mut files = Files::one(output, amc);
             if loaded.clip.format != Format::Amc || needed != *skeleton {
-                files.files.insert(0, (output.with_extension("asf"), Asf::from_skeleton(&needed).to_bytes()));
+                files.outputs.insert(0, (output.with_extension("asf"), Asf::from_skeleton(&needed).to_bytes()));
             }
             Ok(files)
         }

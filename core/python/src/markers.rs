@@ -8,10 +8,12 @@ use glam::DVec3;
 use motion_theater_core::formats::c3d::{C3d, Encoding, Processor, Storage};
 use motion_theater_core::formats::{csm::Csm, trc::Trc};
 use motion_theater_core::gaps::{self, Fill, Gap};
-use motion_theater_core::markers::{Analog, Event, Markers, PointKind, Positions, Quality, UpAxis};
+use motion_theater_core::markers::{
+    Analog, AnalogChannel, Event, Markers, PointKind, Positions, Quality, RawSamples, UpAxis,
+};
 use motion_theater_core::{LengthUnit, ParameterError};
 use numpy::ndarray::{Array2, Array3};
-use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -77,6 +79,29 @@ impl PyMarkers {
 /// Marker, first frame and last frame of a gap.
 type PyGap = (usize, usize, usize);
 
+/// Name, description, unit and samples of an analog channel.
+type GivenChannel<'py> = (String, String, String, PyReadonlyArray1<'py, f64>);
+
+/// An event as a caller gives it.
+#[derive(FromPyObject)]
+enum GivenEvent {
+    /// Label and time.
+    #[pyo3(transparent)]
+    Short((String, f64)),
+    /// Label, time, context and subject.
+    #[pyo3(transparent)]
+    Full((String, f64, String, String)),
+}
+
+impl GivenEvent {
+    fn into_event(self) -> Event {
+        match self {
+            Self::Short((label, time_s)) => Event { label, time_s, ..Event::default() },
+            Self::Full((label, time_s, context, subject)) => Event { label, time_s, context, subject },
+        }
+    }
+}
+
 #[pymethods]
 impl PyMarkers {
     #[new]
@@ -88,7 +113,7 @@ impl PyMarkers {
         first_frame: i64,
         unit_m: f64,
         up: (f64, f64, f64),
-        events: Vec<(String, f64)>,
+        events: Vec<GivenEvent>,
     ) -> PyResult<Self> {
         let shape = positions.shape();
         if shape[0] != names.len() || shape[2] != 3 {
@@ -114,7 +139,7 @@ impl PyMarkers {
             rate_hz,
             unit: LengthUnit { metres: unit_m, reason: given.to_owned(), is_certain: true },
             up: UpAxis { axis: axis.round(), reason: given.to_owned(), is_certain: true },
-            events: events.into_iter().map(|(label, time_s)| Event { label, time_s, ..Event::default() }).collect(),
+            events: events.into_iter().map(GivenEvent::into_event).collect(),
             analog: Analog::default(),
         })))
     }
@@ -261,6 +286,32 @@ impl PyMarkers {
         let (kind, depth) = (filters::kind(kind)?, filters::depth(depth)?);
         let chosen = self.chosen(markers)?;
         Ok(py.detach(|| self.changed(|markers| markers.filter(&chosen, kind, depth))))
+    }
+
+    fn resampled(&self, py: Python<'_>, rate_hz: f64) -> PyResult<Self> {
+        let changed = py.detach(|| self.0.resampled(rate_hz)).map_err(|error| errors::parameter(&error))?;
+        Ok(Self(Arc::new(changed)))
+    }
+
+    fn with_analog(&self, channels: Vec<GivenChannel<'_>>, samples_per_frame: usize) -> PyResult<Self> {
+        let expected = samples_per_frame.saturating_mul(self.0.frame_count());
+        let mut described = Vec::with_capacity(channels.len());
+        let mut signals = Vec::with_capacity(channels.len());
+        for (name, description, unit, samples) in channels {
+            let samples = samples.as_slice()?.to_vec();
+            if samples.len() != expected || samples_per_frame == 0 {
+                let why = format!("`{name}`: expected {expected} samples, found {}", samples.len());
+                return Err(errors::parameter(&ParameterError(why)));
+            }
+            described.push(AnalogChannel { name, description, unit, offset: 0.0, scale: 1.0 });
+            signals.push(samples);
+        }
+        let at_once = |at: usize| signals.iter().filter_map(move |samples| samples.get(at)).map(|value| *value as f32);
+        let values = if signals.is_empty() { Vec::new() } else { (0..expected).flat_map(at_once).collect() };
+        let rate_hz = self.0.rate_hz.map(|rate| rate * samples_per_frame as f64);
+        let raw = RawSamples::Values(values);
+        let analog = Analog { channels: described, samples_per_frame, rate_hz, raw, ..Analog::default() };
+        Ok(self.changed(|markers| markers.analog = analog))
     }
 
     fn neighbours(&self, py: Python<'_>) -> Vec<(usize, usize)> {

@@ -11,7 +11,7 @@ use crate::filter::{Depth, FilterKind};
 use crate::motion::{BoneMotion, Motion};
 use crate::sample::Sampling;
 use crate::skeleton::EulerOrder;
-use crate::value::{Blend, EulerFrame, FilterChannels};
+use crate::value::{Blend, EulerFrame, FilterChannels, Turn, Value};
 
 fn rig(bones: usize, rate_hz: f64) -> Rig {
     let bone = |index: usize| RigBone {
@@ -313,4 +313,20 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn angle_by_angle_a_blend_is_one_pose_whether_a_bone_keeps_angles_or_not() {
+    let order = EulerOrder::Xyz;
+    let between = |a: [f64; 3], b: [f64; 3]| {
+        let turn = |angles| Turn { rotation: order.quat(angles), angles };
+        turn(a).mix(turn(b), 0.5)
+    };
+    // Half way between two samples, where the rotation is not that of the angles between.
+    let old = [between([0.1, 0.2, 0.3], [0.9, -0.4, 1.2])];
+    let new = [between([0.5, 0.1, -0.2], [-0.6, 0.7, 0.4])];
+    let frame = EulerFrame { order, ..EulerFrame::default() };
+    let kept = Turn::crossfade(&old, &new, &[0.4], Blend::Euler, &frame)[0].rotation;
+    let plain = DQuat::crossfade(&[old[0].rotation], &[new[0].rotation], &[0.4], Blend::Euler, &frame)[0];
+    assert!(kept.angle_between(plain) < 1e-9, "{kept} {plain}");
 }

@@ -25,7 +25,8 @@ impl Bvh {
     /// Returns a skeleton and a motion of it, in the file's axes, as a BVH: the same joints, places and rotations at every
     /// frame.
     ///
-    /// Rotations become the channels that the bone has, in its own order, where its axes are the file's, and else three.
+    /// Rotations become the channels that the bone has, in its own order, where its axes are the file's and these channels
+    /// are enough, and else three.
     /// A root always has positions; another joint where it moves, or where its parent grows. A motion without a rate has
     /// no frame time. Left out is what the format has no words for: the number of the first frame, limits, and the growth
     /// of a bone on which none hangs.
@@ -118,7 +119,10 @@ impl<'a> Column<'a> {
         let turns = (0..3).any(rotates) || samples.is_some_and(|samples| !samples.rotations.is_empty());
         let has_own_angles = bone.axes == DQuat::IDENTITY && samples.is_none_or(has_angles);
         let order = if has_own_angles && (0..3).any(rotates) { bone.order } else { USUAL_ORDER };
-        let is_written = |axis: &usize| turns && (rotates(*axis) || !has_own_angles || !(0..3).any(rotates));
+        // What was blended may turn about an axis about which the bone does not by itself.
+        let is_needed = |axis: usize| samples.is_some_and(|samples| turns_about(samples, axis));
+        let is_written =
+            |axis: &usize| turns && (rotates(*axis) || !has_own_angles || !(0..3).any(rotates) || is_needed(*axis));
         Self {
             bone,
             samples,
@@ -165,6 +169,10 @@ impl<'a> Column<'a> {
 
 fn has_angles(samples: &BoneMotion) -> bool {
     samples.angles.len() == samples.rotations.len()
+}
+
+fn turns_about(samples: &BoneMotion, axis: usize) -> bool {
+    samples.angles.iter().any(|angles| rounded_angle(angles[axis].to_degrees()) != 0.0)
 }
 
 fn rounded_angle(degrees: f64) -> f64 {

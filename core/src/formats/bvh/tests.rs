@@ -242,6 +242,19 @@ fn rotations_compose_in_the_order_of_the_channels() {
 }
 
 #[test]
+fn a_rotation_about_an_axis_that_the_bone_lacks_is_written_too() {
+    let bvh = parse(&file("OFFSET 0 0 0\nCHANNELS 2 Zrotation Xrotation", "0 0"));
+    let (skeleton, mut motion) = (bvh.skeleton(), bvh.motion().expect("a motion"));
+    let blended = [0.3, 0.2, -0.4];
+    motion.bones[0].rotations = vec![skeleton.bones[0].order.quat(blended)];
+    motion.bones[0].angles = vec![blended];
+    let written = Bvh::from_motion(&skeleton, &motion);
+    assert_eq!(written.joints[0].channels.iter().filter(|channel| matches!(channel, Channel::Rotation(_))).count(), 3);
+    let back = written.motion().expect("a motion").bones[0].rotations[0];
+    assert!(angle_between(back, motion.bones[0].rotations[0]) < 1e-9);
+}
+
+#[test]
 fn a_position_stands_in_for_its_part_of_the_offset() {
     let body =
         "OFFSET 1 2 3\nCHANNELS 1 Zrotation\nJOINT b\n{\nOFFSET 4 5 6\nCHANNELS 3 Yposition Xrotation Yposition\n}";

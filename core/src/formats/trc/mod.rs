@@ -14,6 +14,7 @@
 
 mod markers;
 mod read;
+mod skim;
 mod write;
 
 use crate::error::ParseError;

@@ -61,7 +61,7 @@ fn names_of(cells: Vec<String>) -> Vec<String> {
 }
 
 /// Goes past the line of `X1 Y1 Z1 ...`, where it is there.
-fn skip_axes(source: &[u8], lines: &mut Lines<'_>) {
+pub(super) fn skip_axes(source: &[u8], lines: &mut Lines<'_>) {
     let mut ahead = lines.clone();
     while let Some(line) = ahead.next_line() {
         let Some(first) = words(source, &line).next() else { continue };
