@@ -12,6 +12,7 @@ use super::walk::{begins_as_motion, files, Found, Step};
 use crate::catalogue::paths;
 use crate::error::LibraryError;
 use crate::facts::READER;
+use crate::index_file::is_index;
 
 /// What a walk over the folders says.
 ///
@@ -25,6 +26,8 @@ pub(super) struct Plan {
     /// Clips that are gone.
     pub(super) gone: HashSet<i64>,
     pub(super) skeletons: Skeletons,
+    /// Lists that describe clips.
+    pub(super) lists: Vec<PathBuf>,
 }
 
 /// What the library knows of a file at some path.
@@ -68,6 +71,9 @@ impl Plan {
         other_skeletons: &mut BTreeSet<PathBuf>,
         state: &State,
     ) -> Result<(), LibraryError> {
+        if is_index(&found.path) {
+            self.lists.push(found.path.clone());
+        }
         let may_be = found.may_be_motion();
         if may_be == Some(false) {
             return Ok(());
