@@ -90,7 +90,9 @@ def drop_icons() -> None:
 def _squared(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return a picture no larger than an icon, square, with its middle kept."""
     step = max(1, -(-max(picture.shape[:2]) // ICON))
-    small = picture[::step, ::step]
+    height, width = (length // step for length in picture.shape[:2])
+    blocks = picture[: height * step, : width * step].reshape(height, step, width, step, 4)
+    small = blocks.mean(axis=(1, 3)).astype(np.uint8)
     side = max(small.shape[:2])
     square = np.zeros((side, side, 4), np.uint8)
     top, left = (side - small.shape[0]) // 2, (side - small.shape[1]) // 2

@@ -30,6 +30,7 @@ SORTS = (
     ("used", "Recently Used", "Sort by when the clip was last brought into a scene"),
     ("relevance", "Relevance", "Sort by how well the clip fits the words of the search"),
 )
+LATEST_FIRST = frozenset({"date", "modified", "rating", "used"})
 CLEANED = (
     ("UNKNOWN", "Not Known", "Nobody said whether this clip was cleaned"),
     ("YES", "Yes", "The clip was cleaned: gaps filled, spikes removed"),
@@ -152,6 +153,7 @@ def _set_words(self: PropertyGroup, value: str) -> None:
 
 def _set_sort(self: PropertyGroup, value: int) -> None:
     session.state.sort = SORTS[value][0]
+    session.state.descending = session.state.sort in LATEST_FIRST
     session.search()
 
 

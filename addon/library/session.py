@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 PACKAGE = __package__.rpartition(".")[0]
 DATABASE = "library.sqlite"
 VARIABLE = "MOTION_THEATER_LIBRARY"
+RETRY_S = 5.0
 MENU_FIELDS = ("format", "tag", "subject", "group")
 
 
@@ -50,6 +52,8 @@ class Session:
     """For menus: the values of a field, with how many clips have them."""
     misunderstood: str = ""
     """Why the search cannot be made as it stands."""
+    asked: float = 0.0
+    """When the library was last asked from the beginning."""
     trouble: str = ""
     """Why the library itself cannot be used."""
     message: str = ""
@@ -100,9 +104,10 @@ def no_longer_on_change(listener: Callable[[], None]) -> None:
 
 
 def ensure_open() -> None:
-    """Read what the library holds, unless that was done before. Made to be called at each redraw."""
-    if not state.is_open:
-        state.is_open = True
+    """Read what the library holds, unless that was done before; after a failure, try again. Asked at each redraw."""
+    is_due = bool(state.trouble) and time.monotonic() - state.asked > RETRY_S
+    if not state.is_open or is_due:
+        state.is_open, state.asked = True, time.monotonic()
         refresh()
 
 

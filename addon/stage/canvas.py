@@ -118,7 +118,6 @@ class Canvas:
         """Hand everything to the graphics card: all shapes in one buffer, of which each layer draws its part."""
         layers = [layer for _, layers in self._clips for layer in layers]
         vertices, parts = _uploaded(layers, self.roundness)
-        gpu.state.blend_set("ALPHA")
         gpu.state.depth_test_set("NONE")
         part = iter(parts)
         try:
@@ -188,6 +187,7 @@ def shortened(text: str, points: float, width: float) -> str:
 
 
 def _draw(layer: Layer, vertices: gpu.types.GPUVertBuf | None, triangles: Any) -> None:
+    gpu.state.blend_set("ALPHA")  # writing ends it
     if vertices is not None and len(triangles):
         corners = gpu.types.GPUIndexBuf(type="TRIS", seq=triangles)
         gpu.types.GPUBatch(type="TRIS", buf=vertices, elem=corners).draw(gpu.shader.from_builtin("SMOOTH_COLOR"))

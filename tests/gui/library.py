@@ -189,8 +189,8 @@ def wheel(kind: str, place: tuple[int, int]) -> hand.Session:
 
 def four() -> hand.Session:
     """Play four at a time; turn the view, page on and back, then nine."""
-    yield from drive.click(*tile(0))
-    hand.mouse = tile(0)
+    yield from drive.click(*tile(1))  # the first is the skeleton
+    hand.mouse = tile(1)
     yield from hand.tap("FOUR")
     yield 4.0
     drive.screenshot("library-9-four")
@@ -221,6 +221,8 @@ def one() -> hand.Session:
     view = looking()
     body = view.body()
     hand.mouse = at(*view.area.middle)
+    yield from drive.key("SPACE", at=hand.mouse)
+    assert not view.clock.is_playing
     for key, share in (("I", 0.3), ("O", 0.8)):
         bar = view.transport.timeline.bar
         yield from drive.click(*at(bar.x + share * bar.width, bar.middle[1]))
@@ -232,7 +234,8 @@ def one() -> hand.Session:
     assert abs(first - 0.4 * body.frames) < 0.02 * body.frames, (first, body.frames)
     assert abs(last - 0.8 * body.frames) < 0.02 * body.frames, (last, body.frames)
     yield from button("USABLE")
-    yield 1.5
+    yield from button("PLAY")
+    yield 2.0
     drive.screenshot("library-12-marks")
     told("one playing")
     yield from button("ADD")

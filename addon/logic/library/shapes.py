@@ -109,13 +109,14 @@ def _turns(cap: int) -> tuple[Floats, Floats, NDArray[np.int64]]:
     """Return cosine and sine of the points around a stroke, and at which end each is."""
     half = np.linspace(np.pi / 2, 3 * np.pi / 2, cap)
     turn = np.concatenate([half, half + np.pi])
-    return np.cos(turn), np.sin(turn), np.repeat([0, 1], cap)
+    return np.cos(turn, dtype=np.float32), np.sin(turn, dtype=np.float32), np.repeat([0, 1], cap)
 
 
 def capsules(found: Strokes, cap: int = 6) -> Mesh:
     """Return strokes as triangles, the more the rounder."""
     if not len(found.begins):
         return EMPTY
+    found = Strokes(*(field.astype(np.float32) for field in found))
     along = found.ends - found.begins
     length = np.hypot(along[:, 0], along[:, 1])[:, None]
     along = np.where(length > 1e-6, along / np.maximum(length, 1e-6), _RIGHT)
@@ -128,7 +129,7 @@ def capsules(found: Strokes, cap: int = 6) -> Mesh:
     return _outlined(core, rim, found.colors[:, at_end])
 
 
-_RIGHT = np.array([1.0, 0.0])
+_RIGHT = np.array([1.0, 0.0], np.float32)
 _QUARTER = np.linspace(0.0, np.pi / 2, CORNER)
 _ROUND = np.concatenate([_QUARTER + turn * np.pi / 2 for turn in range(4)])
 _CORNER_X = np.repeat([1.0, 0.0, 0.0, 1.0], CORNER)
