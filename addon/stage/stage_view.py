@@ -125,7 +125,7 @@ class StageView:
         height = self.transport.height(canvas.scale)
         self.area = window.free._replace(y=window.free.y + height, height=window.free.height - height)
         self.places = cells(self.area.inset(3 * canvas.scale), self.pages.size, 4 * canvas.scale)
-        canvas.roundness = 10 if self.is_single else 4
+        canvas.roundness = 7 if self.is_single else 4
         canvas.box(window.region, look.CELL)
         clips = [rows.get(int(session.state.ids[index])) for index in self.pages.shown]
         shown = [bodies.get(clip) if clip is not None else None for clip in clips]

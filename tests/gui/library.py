@@ -320,7 +320,6 @@ def session() -> hand.Session:
     stage.install()
     yield from stage.empty_scene()
     yield from hand.open_tab()
-    before = data_blocks()
     yield from scan()
     bpy.ops.motion_theater.import_skeleton(filepath=f"{stage.TESTDATA}/human.asf")
     stage.keep_step("Imported")
@@ -331,7 +330,6 @@ def session() -> hand.Session:
     yield from leave()
     yield from drop()
     yield from browse()
-    print(f"{sum(map(len, before.values()))} data-blocks at the beginning", flush=True)
 
 
 drive.run(session())
