@@ -120,14 +120,14 @@ fn say(db: &Connection, id: i64, file: &[(Field, String)], sidecar: &[(Field, St
     put_in_force(db, id)
 }
 
-const INSERT: &str = "INSERT INTO clip (
+const INSERT: &str = "INSERT OR ROLLBACK INTO clip (
         id, folder_id, path, name, folder, size, modified_ns, content_hash, format, frames, first_frame, rate_hz,
         duration_s, joints, markers, skeleton_fingerprint, height_m, unit_m, up, skeleton_path, skeleton_reason, notices,
         error, facts_at, facts_by, sidecar_ns, subject, recorded_on, description, session_group, cleaned
     ) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18, ?19, ?20, ?21, ?22, ?23,
         ?24, ?25, ?26, ?27, ?28, ?29, ?30, CAST(?31 AS INTEGER))";
 
-const UPDATE: &str = "UPDATE clip SET
+const UPDATE: &str = "UPDATE OR ROLLBACK clip SET
         folder_id = ?2, path = ?3, name = ?4, folder = ?5, size = ?6, modified_ns = ?7, content_hash = ?8, format = ?9,
         frames = ?10, first_frame = ?11, rate_hz = ?12, duration_s = ?13, joints = ?14, markers = ?15,
         skeleton_fingerprint = ?16, height_m = ?17, unit_m = ?18, up = ?19, skeleton_path = ?20, skeleton_reason = ?21,
