@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
-
-from tests.library.cutting import Take
 
 Cut = Callable[[str], bytes]
 """Returns a whole clip of a format."""
@@ -26,10 +25,10 @@ class Broken:
 
 
 def _insert(data: bytes, word: bytes) -> bytes:
-    """Put a word in place of the number in the middle of the last two thirds of a text."""
-    at = data.index(b" ", len(data) * 2 // 3)
-    end = min(place for place in (data.find(mark, at + 1) for mark in (b" ", b"\n", b"\t", b"\r")) if place > 0)
-    return data[: at + 1] + word + data[end:]
+    """Put a word in place of a number in the last third of a text."""
+    number = re.compile(rb"(?<=[ \t])-?\d+\.\d+(?:[eE][+-]?\d+)?(?=\s)").search(data, len(data) * 2 // 3)
+    assert number is not None, "every clip ends with numbers"
+    return data[: number.start()] + word + data[number.end() :]
 
 
 def broken_files(cut: Cut) -> list[Broken]:
@@ -66,9 +65,8 @@ def broken_files(cut: Cut) -> list[Broken]:
     ]
 
 
-def damaged_within(take: Take, data: bytes) -> bytes:
+def damaged_within(data: bytes) -> bytes:
     """Put a number that is none into a clip, in a way that only reading every number finds: two exponents."""
-    del take
     return _insert(data, b"1e2e3")
 
 

@@ -110,7 +110,7 @@ def make(
         kind = reason = None
         if within > 0 and take.format in ("amc", "bvh") and take.joints and number % 3 == 0:
             within, kind, reason = within - 1, WITHIN, "found `1e2e3`"
-            data = damaged_within(take, data)
+            data = damaged_within(data)
         _write(folder, path, data)
         known.append(_truth(path, take, start, end, skeleton, kind, reason))
     for (place, number), bad in zip(itertools.islice(places, len(damaged)), damaged, strict=True):

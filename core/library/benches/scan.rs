@@ -72,7 +72,7 @@ fn scan(folder: &Path, threads: usize) {
     let place = tempfile::tempdir().expect("room for a library");
     let library = Arc::new(Library::open(&place.path().join("library.sqlite")).expect("a new library"));
     library.add_folder(folder).expect("the folder");
-    let options = Options { folders: None, with_previews: false, jobs: Some(threads) };
+    let options = Options { folders: None, previews: None, jobs: Some(threads) };
     let scan = Scan::start(&library, &options).expect("a scan");
     scan.wait(None);
     assert_eq!(scan.progress().error, None);

@@ -65,6 +65,9 @@ fn damage_is_left_to_the_reader() {
     }
 }
 
+/// What a mistake may put into a file.
+const LIKELY: &[u8] = b"0123456789.-+eE \n\r\t#$azN\0";
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -76,7 +79,6 @@ proptest! {
     ) {
         let (name, text) = SMALL[which];
         let mut source = text.as_bytes().to_vec();
-        const LIKELY: &[u8] = b"0123456789.-+eE \n\r\t#$azN\0";
         for (place, byte) in places {
             let at = place.index(source.len());
             source[at] = LIKELY[usize::from(byte) % LIKELY.len()];

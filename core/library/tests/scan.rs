@@ -2,8 +2,14 @@
 
 mod common;
 
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
+
 use common::{bvh, Stage};
+use motion_theater_core::loaded::Loaded;
 use motion_theater_library::catalogue::{Edit, Field};
+use motion_theater_library::scan::{Options, Previews, Scan};
+use motion_theater_library::LibraryError;
 
 const ASF: &str = include_str!("../../src/pairing/default_skeleton.asf");
 const AMC: &str = ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\nlfemur 1 2 3\n2\nroot 0 0 0 0 0 0\nlfemur 1 2 3\n";
@@ -202,4 +208,59 @@ fn two_scans_at_once_find_everything_once() {
     });
     assert_eq!(stage.library.count().unwrap(), 60);
     assert_eq!(stage.scan().unchanged, 60);
+}
+
+/// Remembers what it was asked to draw.
+#[derive(Default)]
+struct Sketchbook(Mutex<HashMap<[u8; 32], usize>>);
+
+impl Previews for Sketchbook {
+    fn missing(&self, hashes: &[[u8; 32]]) -> Result<Vec<[u8; 32]>, LibraryError> {
+        let drawn = self.0.lock().unwrap();
+        Ok(hashes.iter().filter(|hash| !drawn.contains_key(*hash)).copied().collect())
+    }
+
+    fn make(&self, hash: &[u8; 32], loaded: &Loaded) -> Result<(), LibraryError> {
+        self.0.lock().unwrap().insert(*hash, loaded.frame_count());
+        Ok(())
+    }
+}
+
+#[test]
+fn previews_are_drawn_once_and_find_what_looking_over_does_not() {
+    // Right after the frames that say how a figure stands, a number with two exponents.
+    let damaged = bvh(200, 0).replacen("1.5 2 3 0.25", "1e2e3 2 3 0.25", 1);
+    let stage = Stage::with(&[("a.bvh", &bvh(5, 0)), ("copy.bvh", &bvh(5, 0)), ("damaged.bvh", &damaged)]);
+    let book = Arc::new(Sketchbook::default());
+    let options = || Options { previews: Some(book.clone()), ..Options::default() };
+    let scan = || {
+        let scan = Scan::start(&stage.library, &options()).unwrap();
+        assert!(scan.wait(None));
+        scan.progress()
+    };
+    let first = scan();
+    assert_eq!((first.new, first.previews_total, first.previews_done, first.broken), (3, 2, 2, 1));
+    assert_eq!(book.0.lock().unwrap().values().copied().collect::<Vec<_>>(), [5]);
+    let error = stage.clip("damaged.bvh").error.expect("the damage was found");
+    assert!(error.contains("found `1e2e3`"), "{error}");
+    let second = scan();
+    assert_eq!((second.total, second.previews_total), (0, 0));
+    stage.put("damaged.bvh", &bvh(6, 9));
+    let mended = scan();
+    assert_eq!((mended.changed, mended.previews_done, stage.clip("damaged.bvh").error), (1, 1, None));
+}
+
+#[test]
+fn a_scan_that_is_cancelled_keeps_what_was_read() {
+    let names: Vec<String> = (0..50).map(|i| format!("take_{i}.bvh")).collect();
+    let texts: Vec<String> = (0..50).map(|i| bvh(2000, i)).collect();
+    let files: Vec<(&str, &str)> = names.iter().map(String::as_str).zip(texts.iter().map(String::as_str)).collect();
+    let stage = Stage::with(&files);
+    let scan = Scan::start(&stage.library, &Options { jobs: Some(1), ..Options::default() }).unwrap();
+    scan.cancel();
+    assert!(scan.wait(None));
+    let so_far = u64::from(stage.library.count().unwrap());
+    assert!(so_far < 50);
+    let rest = stage.scan();
+    assert_eq!((rest.new, rest.unchanged), (50 - so_far, so_far));
 }

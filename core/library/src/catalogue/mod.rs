@@ -17,12 +17,13 @@ pub use rows::ClipRow;
 pub use told::{Field, Source};
 
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use rusqlite::{Connection, OptionalExtension, Transaction, TransactionBehavior};
 
 use crate::error::LibraryError;
+use crate::preview::PreviewCache;
 
 /// Connections that are kept for the next call.
 const MOST_IDLE: usize = 4;
@@ -32,6 +33,7 @@ const MOST_IDLE: usize = 4;
 pub struct Library {
     path: PathBuf,
     idle: Mutex<Vec<Connection>>,
+    pub(crate) previews: OnceLock<Arc<PreviewCache>>,
 }
 
 impl Library {
@@ -45,7 +47,7 @@ impl Library {
             return Err(LibraryError::NotALibrary { path, found: "a folder" });
         }
         let connection = schema::connect(&path)?;
-        Ok(Self { path, idle: Mutex::new(vec![connection]) })
+        Ok(Self { path, idle: Mutex::new(vec![connection]), previews: OnceLock::new() })
     }
 
     /// Returns where the library lies: an absolute path.

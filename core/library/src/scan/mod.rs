@@ -5,6 +5,7 @@
 //! transaction short, so that others can read and write in between. A scan that is killed leaves a library with some of
 //! the files; the next one reads the rest.
 
+mod drawing;
 mod plan;
 mod progress;
 mod reading;
@@ -13,14 +14,15 @@ mod skeletons;
 mod walk;
 mod writer;
 
+pub use drawing::Previews;
 pub use progress::{Phase, Progress};
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{sync_channel, Receiver, RecvTimeoutError};
+use std::sync::mpsc::{sync_channel, Receiver};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use plan::Plan;
 use progress::{count, State};
@@ -33,19 +35,19 @@ use crate::error::LibraryError;
 /// So many files are written in one transaction at most, ...
 const BATCH_FILES: usize = 256;
 
-/// ... and none waits longer than this to be written.
-const BATCH_TIME: Duration = Duration::from_millis(150);
+/// ... and so long the writer waits for more.
+const BATCH_TIME: Duration = Duration::from_millis(10);
 
 /// So many files that were read may wait for the writer.
-const MOST_WAITING: usize = 256;
+const MOST_WAITING: usize = 512;
 
 /// What a scan is to do.
-#[derive(Debug, Clone, Default)]
+#[derive(Clone, Default)]
 pub struct Options {
     /// Folders of the library, or folders within them; `None` for all of the library's.
     pub folders: Option<Vec<PathBuf>>,
-    /// Whether to draw previews once the files are read; that reads every number of each.
-    pub with_previews: bool,
+    /// What makes previews once the files are read, which means to read every number of each; `None` for no previews.
+    pub previews: Option<Arc<dyn Previews>>,
     /// How many files are read at a time; `None` for one per core.
     pub jobs: Option<usize>,
 }
@@ -64,10 +66,10 @@ impl Scan {
     pub fn start(library: &Arc<Library>, options: &Options) -> Result<Self, LibraryError> {
         let folders = chosen(library, options.folders.as_deref())?;
         let state = Arc::new(State::new());
-        let (library, shared, jobs) = (Arc::clone(library), Arc::clone(&state), options.jobs);
+        let (library, shared, options) = (Arc::clone(library), Arc::clone(&state), options.clone());
         let run = move || {
             // Whatever happens, nobody waits in vain.
-            let ended = catch_unwind(AssertUnwindSafe(|| run(&library, &folders, jobs, &shared)));
+            let ended = catch_unwind(AssertUnwindSafe(|| run(&library, &folders, &options, &shared)));
             shared.finish(match ended {
                 Ok(ended) => ended.err().map(|error| error.to_string()),
                 Err(_) => Some("a mistake in the program ended the scan".to_owned()),
@@ -115,7 +117,7 @@ fn chosen(library: &Library, wanted: Option<&[PathBuf]>) -> Result<Vec<PathBuf>,
     Ok(chosen)
 }
 
-fn run(library: &Library, folders: &[PathBuf], jobs: Option<usize>, state: &State) -> Result<(), LibraryError> {
+fn run(library: &Library, folders: &[PathBuf], options: &Options, state: &State) -> Result<(), LibraryError> {
     let started_at = now();
     let plan = library.read(|db| plan::make(db, folders, state))?;
     if state.is_cancelled() {
@@ -123,6 +125,7 @@ fn run(library: &Library, folders: &[PathBuf], jobs: Option<usize>, state: &Stat
     }
     library.write(|db| writer::mark(db, &plan, state))?;
     state.enter(Phase::Reading);
+    let jobs = options.jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     read_all(library, &plan, jobs, state)?;
     sidecars::take_in(library, folders, &plan.sidecars, state)?;
     if state.is_cancelled() {
@@ -136,12 +139,14 @@ fn run(library: &Library, folders: &[PathBuf], jobs: Option<usize>, state: &Stat
             db.execute(within, rusqlite::params![started_at, text, from, to])?;
         }
         Ok(())
-    })
+    })?;
+    let Some(previews) = &options.previews else { return Ok(()) };
+    state.enter(Phase::Drawing);
+    drawing::draw_all(library, folders, previews.as_ref(), jobs, state)
 }
 
 /// Reads files with several workers, and writes what they find.
-fn read_all(library: &Library, plan: &Plan, jobs: Option<usize>, state: &State) -> Result<(), LibraryError> {
-    let jobs = jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Result<(), LibraryError> {
     let jobs = jobs.clamp(1, plan.to_read.len().max(1));
     let reader = Reader::new(&plan.skeletons);
     let next = AtomicUsize::new(0);
@@ -175,14 +180,9 @@ fn read_all(library: &Library, plan: &Plan, jobs: Option<usize>, state: &State) 
 /// Writes files as they come in, until there are no more.
 fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
     while let Ok(first) = receiver.recv() {
-        let mut batch = vec![first];
-        let deadline = Instant::now() + BATCH_TIME;
-        while batch.len() < BATCH_FILES {
-            match receiver.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
-                Ok(reading) => batch.push(reading),
-                Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
-            }
-        }
+        // Meanwhile the workers need not wake anyone for every file.
+        std::thread::sleep(BATCH_TIME);
+        let batch: Vec<Reading> = std::iter::once(first).chain(receiver.try_iter().take(BATCH_FILES)).collect();
         library.write(|db| {
             // Folders may come and go while a scan runs.
             let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-use rusqlite::{params, Connection, OptionalExtension, Transaction};
+use rusqlite::{params, params_from_iter, Connection, OptionalExtension, ToSql, Transaction};
 
 use super::plan::{is_gone, Plan};
 use super::progress::{count, State};
@@ -65,10 +65,7 @@ pub(super) fn write(
         Place::New => {
             count(&state.new);
             put(db, INSERT, reading, root, &path, None)?;
-            let id = db.last_insert_rowid();
-            if !says.is_empty() {
-                say(db, id, says)?;
-            }
+            tell(db, db.last_insert_rowid(), Source::File, &says.iter().map(some).collect::<Vec<_>>())?;
         }
         Place::Same(id, is_changed) => {
             if is_changed {
@@ -111,6 +108,10 @@ fn place(db: &Connection, path: &str, reading: &Reading) -> Result<Place, Librar
     Ok(Place::New)
 }
 
+fn some((field, value): &(Field, String)) -> (Field, Option<String>) {
+    (*field, Some(value.clone()))
+}
+
 /// Replaces what the file itself says of a clip.
 fn say(db: &Connection, id: i64, says: &[(Field, String)]) -> Result<(), LibraryError> {
     let value = |field: Field| says.iter().find(|(known, _)| *known == field).map(|(_, value)| value.clone());
@@ -121,9 +122,9 @@ fn say(db: &Connection, id: i64, says: &[(Field, String)]) -> Result<(), Library
 const INSERT: &str = "INSERT INTO clip (
         id, folder_id, path, name, folder, size, modified_ns, content_hash, format, frames, first_frame, rate_hz,
         duration_s, joints, markers, skeleton_fingerprint, height_m, unit_m, up, skeleton_path, skeleton_reason, notices,
-        error, facts_at, facts_by
+        error, facts_at, facts_by, subject, recorded_on, description, session_group, cleaned
     ) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18, ?19, ?20, ?21, ?22, ?23,
-        ?24, ?25)";
+        ?24, ?25, ?26, ?27, ?28, ?29, CAST(?30 AS INTEGER))";
 
 const UPDATE: &str = "UPDATE clip SET
         folder_id = ?2, path = ?3, name = ?4, folder = ?5, size = ?6, modified_ns = ?7, content_hash = ?8, format = ?9,
@@ -149,7 +150,7 @@ fn put(
     let format = facts.map(|facts| facts.format).or(failure.and_then(|failure| failure.format));
     let notices = facts.map_or_else(Vec::new, |facts| facts.notices.clone());
     let whole = |count: usize| i64::try_from(count).unwrap_or(i64::MAX);
-    db.prepare_cached(sql)?.execute(params![
+    let known = params![
         id,
         root.id,
         path,
@@ -175,7 +176,17 @@ fn put(
         failure.map(|failure| &failure.message),
         now(),
         READER,
-    ])?;
+    ];
+    let mut statement = db.prepare_cached(sql)?;
+    if id.is_some() {
+        statement.execute(known)?;
+    } else {
+        // Nobody has said anything of a new clip but its file.
+        let says = |field: Field| facts.and_then(|facts| facts.says.iter().find(|(said, _)| *said == field));
+        let said = Field::ALL.map(|field| says(field).map(|(_, value)| value));
+        let said = said.iter().map(|value| value as &dyn ToSql);
+        statement.execute(params_from_iter(known.iter().copied().chain(said)))?;
+    }
     Ok(())
 }
 

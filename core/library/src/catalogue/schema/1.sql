@@ -108,7 +108,8 @@ CREATE VIRTUAL TABLE clip_text USING fts5 (
 CREATE VIEW clip_words AS
 SELECT id, name, folder, subject, description, session_group,
     -- Between two tags a character for private use, a word of its own: no phrase runs from one tag into the next.
-    (SELECT group_concat(tag.name, ' ' || char(0xE000) || ' ') FROM clip_tag JOIN tag ON tag.id = tag_id WHERE clip_id = clip.id) AS tags
+    (SELECT group_concat(tag.name, ' ' || char(0xE000) || ' ') FROM clip_tag JOIN tag ON tag.id = tag_id
+     WHERE clip_id = clip.id) AS tags
 FROM clip;
 
 CREATE TRIGGER clip_added AFTER INSERT ON clip BEGIN
