@@ -391,12 +391,14 @@ def skeletons_for(
     chosen: Sequence[str | PathLike[str]] = (),
     others: Sequence[str | PathLike[str]] = (),
 ) -> list[SkeletonCandidate]:
-    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
-    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
-    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+    """The skeleton files that may belong to a motion file, best first: those chosen together with it, the one
+    that its sidecar names, those of its folder and of the folder above, all others that are known.
+
+    The motion is only looked at for what it says of its skeleton, and no skeleton is opened: the first that fits is
+    meant (`Clip.bind`). Raises OSError."""
 
 def default_skeleton() -> Skeleton:
-    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human, root and 30 bones."""
+    """The skeleton that stands in for one that is not to be found: the usual Acclaim human, root and 30 bones."""
 
 DEFAULT_SKELETON_ASF: str
 """The same as an ASF file."""
