@@ -37,6 +37,9 @@ const SMOOTH: usize = 4;
 /// No figure is smaller, in metres: a single point is not blown up without end.
 const SMALLEST_M: f32 = 0.01;
 
+/// What is this many pictures away is not drawn, nor are lines to it.
+const FAR_OUTSIDE: f32 = 4.0;
+
 /// The floor is in the picture where the figure is no higher above it than this share of its height.
 const ABOVE_FLOOR: f32 = 0.6;
 
@@ -133,13 +136,14 @@ impl Camera {
         }
     }
 
-    /// Returns where a point is in the picture of a frame of the strip; not a number where the point is none.
-    pub(super) fn spot(&self, frame: usize, point: Vec3) -> Spot {
+    /// Returns where a point is in the picture of a frame of the strip; `None` where it is far outside, or nowhere.
+    pub(super) fn spot(&self, frame: usize, point: Vec3) -> Option<Spot> {
         let from = point - self.anchors.get(frame).copied().unwrap_or_default().with_z(0.0);
         let plane = Vec2::new(self.right.dot(from), self.up.dot(from)) - self.centre;
         let half = SIZE as f32 / 2.0;
         let at = Vec2::new(half + plane.x * self.scale, half - plane.y * self.scale);
-        Spot { at, near: self.towards.dot(from) }
+        let is_near = at.abs().max_element() < FAR_OUTSIDE * SIZE as f32;
+        is_near.then_some(Spot { at, near: self.towards.dot(from) })
     }
 }
 

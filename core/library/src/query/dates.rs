@@ -1,5 +1,6 @@
 //! Days, months and years: `2004-05-17`, `2004-05`, `2004`.
 
+use std::fmt::Write as _;
 use std::ops::Bound;
 
 use super::numbers::Bounds;
@@ -41,7 +42,7 @@ fn date(text: &str) -> Option<String> {
         if number > last.next()? || part.len() > 2 {
             return None;
         }
-        date += &format!("-{number:02}");
+        let _ = write!(date, "-{number:02}");
     }
     Some(date)
 }

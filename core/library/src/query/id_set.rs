@@ -41,7 +41,9 @@ mod tests {
         fn it_holds_what_was_put_in(ids: Vec<i64>, near in prop::collection::vec(0..200_000i64, 0..50), asked: Vec<i64>) {
             let all: HashSet<i64> = ids.into_iter().chain(near).collect();
             let mut set = IdSet::default();
-            all.iter().for_each(|id| set.insert(*id));
+            for id in &all {
+                set.insert(*id);
+            }
             for id in all.iter().flat_map(|id| [*id, id.wrapping_add(1), *id ^ 64]).chain(asked) {
                 prop_assert_eq!(set.contains(id), all.contains(&id));
             }

@@ -7,7 +7,7 @@ use super::fields::{Field, FlagField, NumberField};
 use super::split::{split, Operator, Piece};
 use super::{dates, numbers, Condition, Query, Term, WholeValue};
 
-/// More is no search but an accident, and SQLite has limits of its own.
+/// More is no search but an accident, and `SQLite` has limits of its own.
 const TERM_LIMIT: usize = 100;
 /// In characters; see [`TERM_LIMIT`].
 const LENGTH_LIMIT: usize = 10_000;

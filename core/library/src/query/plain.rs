@@ -62,16 +62,16 @@ pub fn search(clips: &[PlainClip], query: &Query, order: Order) -> Vec<i64> {
         Sort::Size => turned(a.size.cmp(&b.size)),
         Sort::Rating => turned(a.rating.cmp(&b.rating)),
         Sort::Relevance => turned(rank(a).cmp(&rank(b))),
-        Sort::Date => unknown_last(&a.recorded_on, &b.recorded_on, turned),
-        Sort::Duration => unknown_last(&a.duration_s, &b.duration_s, turned),
-        Sort::Rate => unknown_last(&a.rate_hz, &b.rate_hz, turned),
-        Sort::Frames => unknown_last(&a.frames, &b.frames, turned),
-        Sort::Used => unknown_last(&a.used_at, &b.used_at, turned),
+        Sort::Date => unknown_last(a.recorded_on.as_ref(), b.recorded_on.as_ref(), turned),
+        Sort::Duration => unknown_last(a.duration_s.as_ref(), b.duration_s.as_ref(), turned),
+        Sort::Rate => unknown_last(a.rate_hz.as_ref(), b.rate_hz.as_ref(), turned),
+        Sort::Frames => unknown_last(a.frames.as_ref(), b.frames.as_ref(), turned),
+        Sort::Used => unknown_last(a.used_at.as_ref(), b.used_at.as_ref(), turned),
     });
     found.iter().map(|clip| clip.id).collect()
 }
 
-fn unknown_last<T: PartialOrd>(a: &Option<T>, b: &Option<T>, turned: impl Fn(Ordering) -> Ordering) -> Ordering {
+fn unknown_last<T: PartialOrd>(a: Option<&T>, b: Option<&T>, turned: impl Fn(Ordering) -> Ordering) -> Ordering {
     match (a, b) {
         (Some(a), Some(b)) => turned(a.partial_cmp(b).expect("numbers that can be compared")),
         (None, Some(_)) => Ordering::Greater,
@@ -162,7 +162,7 @@ fn flag(clip: &PlainClip, field: FlagField) -> Option<bool> {
 }
 
 fn is_unknown(clip: &PlainClip, field: Field) -> bool {
-    let is_blank = |text: &Option<String>| text.as_ref().is_none_or(String::is_empty);
+    let is_blank = |text: &Option<String>| text.as_deref().unwrap_or_default().is_empty();
     match field {
         Field::Whole(WholeField::Subject) => is_blank(&clip.subject),
         Field::Whole(WholeField::Group) => is_blank(&clip.group),

@@ -9,6 +9,7 @@ mod drawing;
 mod plan;
 mod progress;
 mod reading;
+mod sidecars;
 mod skeletons;
 mod walk;
 mod writer;
@@ -126,6 +127,7 @@ fn run(library: &Library, folders: &[PathBuf], options: &Options, state: &State)
     state.enter(Phase::Reading);
     let jobs = options.jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     read_all(library, &plan, jobs, state)?;
+    sidecars::take_in(library, folders, &plan.sidecars, state)?;
     if state.is_cancelled() {
         return Ok(());
     }

@@ -17,7 +17,6 @@ CREATE TABLE clip (
     folder TEXT NOT NULL,
     size INTEGER NOT NULL,
     modified_ns INTEGER NOT NULL,
-    sidecar_ns INTEGER,
     content_hash BLOB CHECK (length(content_hash) = 32),
     format TEXT NOT NULL,
     frames INTEGER,
@@ -71,6 +70,13 @@ CREATE TABLE told (
     PRIMARY KEY (clip_id, field, source)
 ) STRICT, WITHOUT ROWID;
 
+-- The sidecars that were read, and what the disk listed of them then.
+CREATE TABLE sidecar (
+    path TEXT PRIMARY KEY,
+    size INTEGER NOT NULL,
+    modified_ns INTEGER NOT NULL
+) STRICT, WITHOUT ROWID;
+
 CREATE TABLE tag (
     id INTEGER PRIMARY KEY,
     name TEXT NOT NULL COLLATE NOCASE UNIQUE
@@ -102,7 +108,8 @@ CREATE VIRTUAL TABLE clip_text USING fts5 (
 CREATE VIEW clip_words AS
 SELECT id, name, folder, subject, description, session_group,
     -- Between two tags a character for private use, a word of its own: no phrase runs from one tag into the next.
-    (SELECT group_concat(tag.name, ' ' || char(0xE000) || ' ') FROM clip_tag JOIN tag ON tag.id = tag_id WHERE clip_id = clip.id) AS tags
+    (SELECT group_concat(tag.name, ' ' || char(0xE000) || ' ') FROM clip_tag JOIN tag ON tag.id = tag_id
+     WHERE clip_id = clip.id) AS tags
 FROM clip;
 
 CREATE TRIGGER clip_added AFTER INSERT ON clip BEGIN
