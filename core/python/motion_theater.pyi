@@ -698,6 +698,13 @@ class Library:
     def count(self) -> int:
         """Return how many clips there are, missing and broken ones too."""
 
+    def search(self, query: str = "", *, sort: str = "name", descending: bool = False) -> NDArray[np.int64]:
+        """Return the ids of the clips that a query gives, in order; docs/library.md, "Searching", says what it may hold.
+
+        `sort` is one of "name", "path", "date", "modified", "duration", "rate", "frames", "size", "rating", "used" and
+        "relevance"; equal ones follow by name, those of which it is not known stand at the end. Raises ParameterError
+        where a term means nothing: the text names it and says what would be right."""
+
     def clips(self, ids: Sequence[int]) -> list[LibraryClip]:
         """Return clips in the order of `ids`; those that are not there are left out."""
 
@@ -711,6 +718,13 @@ class Library:
     def tag(self, ids: Sequence[int], *, add: Sequence[str] = ..., remove: Sequence[str] = ...) -> None: ...
     def set_segments(self, id: int, segments: Sequence[tuple[int, int]]) -> None:
         """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
+
+    def import_index(self, path: str | PathLike[str], columns: dict[str, str] | None = None) -> int:
+        """Read a list that describes clips, such as CMU's, and return how many it describes: of the folder that it lies in
+        and those below, or of the whole library where it lies elsewhere.
+
+        `columns` maps "file", "subject", "trial", "description", "date", "group" and "cleaned" to what stands over these
+        columns; without it that is guessed. Raises ParameterError where the list does not say which clips it means."""
 
     def mark_used(self, id: int) -> None: ...
     def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
