@@ -692,6 +692,9 @@ class Library:
     ) -> Scan:
         """Begin a scan of folders of the library, or folders within them (None: all), and return at once."""
 
+    def check(self) -> list[str]:
+        """Look at every page of the database, and return what is wrong; nothing where all is well."""
+
     def count(self) -> int:
         """Return how many clips there are, missing and broken ones too."""
 

@@ -24,7 +24,8 @@ pub(super) struct Root {
 ///
 /// This comes before the first file is written: a file that was moved is known by its content among those that are gone.
 pub(super) fn mark(db: &Transaction<'_>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
-    let mut update = db.prepare_cached("UPDATE clip SET is_missing = ? WHERE id = ? AND is_missing <> ?1")?;
+    let mut update =
+        db.prepare_cached("UPDATE OR ROLLBACK clip SET is_missing = ? WHERE id = ? AND is_missing <> ?1")?;
     for id in &plan.gone {
         update.execute(params![true, id])?;
         count(&state.missing);
@@ -119,14 +120,14 @@ fn say(db: &Connection, id: i64, says: &[(Field, String)]) -> Result<(), Library
     put_in_force(db, id)
 }
 
-const INSERT: &str = "INSERT INTO clip (
+const INSERT: &str = "INSERT OR ROLLBACK INTO clip (
         id, folder_id, path, name, folder, size, modified_ns, content_hash, format, frames, first_frame, rate_hz,
         duration_s, joints, markers, skeleton_fingerprint, height_m, unit_m, up, skeleton_path, skeleton_reason, notices,
         error, facts_at, facts_by, subject, recorded_on, description, session_group, cleaned
     ) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18, ?19, ?20, ?21, ?22, ?23,
         ?24, ?25, ?26, ?27, ?28, ?29, CAST(?30 AS INTEGER))";
 
-const UPDATE: &str = "UPDATE clip SET
+const UPDATE: &str = "UPDATE OR ROLLBACK clip SET
         folder_id = ?2, path = ?3, name = ?4, folder = ?5, size = ?6, modified_ns = ?7, content_hash = ?8, format = ?9,
         frames = ?10, first_frame = ?11, rate_hz = ?12, duration_s = ?13, joints = ?14, markers = ?15,
         skeleton_fingerprint = ?16, height_m = ?17, unit_m = ?18, up = ?19, skeleton_path = ?20, skeleton_reason = ?21,
