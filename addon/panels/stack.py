@@ -104,7 +104,7 @@ def _draw_first_step(layout: UILayout, context: Context) -> None:
     if any(ob.type == "ARMATURE" for ob in context.view_layer.objects):
         message = text("Select an armature to see its motion")
     else:
-        message = text("Begin with a skeleton: import an .asf file below, or drop one into the 3D View")
+        message = text("Begin with a skeleton: import an .asf or .bvh file below, or drop any recording into the view")
     words.sentence(layout, context, message, icon="INFO")
 
 
