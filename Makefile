@@ -38,7 +38,7 @@ test-rust: ## Test the core
 	$(LIMIT) cargo test --locked --package motion-theater-core --package motion-theater-cli --package motion-theater-library
 
 # Folders of tests that need no Blender.
-PURE := tests/native tests/logic tests/testdata tests/demo tests/docs
+PURE := tests/native tests/library tests/logic tests/testdata tests/demo tests/docs
 test-python: build/venv/tools/.module ## Test the Python module and all logic that needs no Blender
 	$(LIMIT) $(TOOLS)/python -m pytest $(wildcard $(PURE))
 
@@ -79,7 +79,7 @@ bench: build/venv/bpy-$(NEWEST)/.module ## Measure the speed, as ratios against 
 	build/venv/bpy-$(NEWEST)/bin/python -m tests.bench
 
 # libFuzzer alone, without the address sanitizer: that works with the stable compiler, and the readers hold no unsafe code.
-FUZZ_TARGETS := asf amc bvh
+FUZZ_TARGETS := asf amc bvh c3d csm trc
 FUZZ_SECONDS ?= 600
 fuzz fuzz-smoke: export PATH := $(CURDIR)/build/tools/bin:$(PATH)
 fuzz: build/fuzz/.ready ## Fuzz each reader for ten minutes
@@ -89,8 +89,8 @@ fuzz: build/fuzz/.ready ## Fuzz each reader for ten minutes
 	        -dict=core/fuzz/words.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
 	done
 
-fuzz-smoke: ## Fuzz each reader for 20 seconds, where there is a C++ compiler
-	@if command -v c++ >/dev/null; then $(LIMIT) $(MAKE) fuzz FUZZ_SECONDS=20; \
+fuzz-smoke: ## Fuzz each reader for ten seconds, where there is a C++ compiler
+	@if command -v c++ >/dev/null; then $(LIMIT) $(MAKE) fuzz FUZZ_SECONDS=10; \
 	else echo "fuzz-smoke: not run, libFuzzer needs a C++ compiler (c++), which is not here"; fi
 
 # -- The extension ----------------------------------------------------------------------------------------------------

@@ -106,7 +106,7 @@ class Batch:
             return self._markers(context, job)
         loaded = sources.read_file(job.path)
         if loaded.clip.skeleton is not None and not loaded.clip.frames:
-            ob, told = skeletons.import_skeleton(context, job.path, **self.options.of_skeleton)  # type: ignore[arg-type]
+            ob, told = skeletons.import_skeleton(context, loaded, **self.options.of_skeleton)  # type: ignore[arg-type]
             message = sentences(told)
             stack.of(ob).message = message
             return message

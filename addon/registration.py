@@ -16,6 +16,7 @@ from .operators import (
     import_motion_capture,
     import_skeleton,
     marker_edits,
+    sidecar,
     sources,
     stack_files,
 )
@@ -37,6 +38,7 @@ CLASSES = (
     *edits.CLASSES,
     *sources.CLASSES,
     *stack_files.CLASSES,
+    *sidecar.CLASSES,
     *import_markers.CLASSES,
     *marker_edits.CLASSES,
     *stack.CLASSES,

@@ -19,7 +19,7 @@ MOST_BONES = 2048  # ten times what the largest captured skeletons have; Blender
 
 def import_skeleton(
     context: Context,
-    path: str,
+    loaded: sources.Loaded,
     *,
     scale: float = 1.0,
     up: str = "AUTO",
@@ -28,7 +28,7 @@ def import_skeleton(
     limits_as_constraints: bool = False,
 ) -> tuple[Object, list[str]]:
     """Make an armature from a skeleton file; return it with what is to be said about it, the result first."""
-    loaded = sources.read_file(path)
+    path = loaded.clip.path
     skeleton = sources.as_skeleton(loaded)
     if len(skeleton.names) > MOST_BONES:
         raise UserError(f"{base_name(path)} has {len(skeleton.names)} bones: more than {MOST_BONES} are not imported")
@@ -45,7 +45,7 @@ def import_skeleton(
     )
     motion = stack.of(ob)
     with stack.quietly():
-        motion.skeleton_source = sources.full_path(path)
+        motion.skeleton_source = sources.full_path(path) if path else ""
         motion.skeleton_text = sources.text_of(loaded)
         motion.unit_m = unit
         motion.up = chosen_up
@@ -65,7 +65,8 @@ def import_skeleton(
 
 def _described(loaded: sources.Loaded, skeleton: motion_theater.Skeleton, count: int, up: str) -> str:
     """Return what was imported, in one line: bones, axes, and the rate of a motion."""
-    parts = [f"Imported {base_name(loaded.clip.path)}: {bones(count)}", f"{up} up"]
+    name = base_name(loaded.clip.path) or "the default skeleton"
+    parts = [f"Imported {name}: {bones(count)}", f"{up} up"]
     if sources.has_own_skeleton(loaded):
         facing = motion_theater.infer(skeleton, loaded.clip.motion).facing
         parts.append(f"{'' if facing.is_certain else 'probably '}facing {axes.nearest_axis(facing.value)}")

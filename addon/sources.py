@@ -13,7 +13,7 @@ import os
 import time
 import zlib
 from collections import OrderedDict
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
@@ -23,7 +23,7 @@ import bpy
 import motion_theater
 
 from . import rig
-from .logic import axes, names, skeleton_search
+from .logic import axes, names
 from .logic.messages import UserError, base_name, listing, misfit
 
 if TYPE_CHECKING:
@@ -241,13 +241,30 @@ def file_up(motion: MotionStack, skeleton_text: str, skeleton: motion_theater.Sk
     return motion.up if stands_alike else own
 
 
-def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
-    """Return the skeleton file that belongs to a motion file, its path, and why it was taken.
+@dataclass(frozen=True)
+class Pairing:
+    """The skeleton with which a motion is understood, and what is to be said of that."""
 
-    The first candidate that fits is taken; if there is none, the error says what was looked at.
+    skeleton: Loaded
+    told: str = ""
+
+
+def default_skeleton() -> Loaded:
+    """Return the skeleton that stands in for a motion's own. Its path is empty: it is from no file."""
+    key = "default skeleton"
+    text = motion_theater.DEFAULT_SKELETON_ASF.encode("ascii")
+    return _clips.get(key) or _clips.keep(key, Loaded(motion_theater.read_bytes(text, name=""), key))
+
+
+def find_skeleton(path: str, loaded: Loaded, chosen: Sequence[str] = (), *, may_guess: bool) -> Pairing:
+    """Return the skeleton that belongs to a motion file: the first candidate that fits, those first that were chosen
+    together with it; if there is none, the built-in default where that is allowed and fits, else an error that says
+    what was looked at.
     """
-    folder = Path(path).parent
-    candidates = skeleton_search.candidates(path, loaded.clip.skeleton_hint, _files(folder), _files(folder.parent))
+    try:
+        candidates = motion_theater.skeletons_for(path, chosen=chosen)
+    except OSError as error:
+        raise UserError(f"{base_name(path)} cannot be read: {error.strerror or error}") from error
     refused: list[str] = []
     for candidate in candidates:
         try:
@@ -256,7 +273,10 @@ def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
         except UserError as error:
             refused.append(str(error))
             continue
-        return skeleton, candidate.path, candidate.reason
+        return Pairing(skeleton, f"Took {base_name(candidate.path)}, because {candidate.reason}")
+    default = default_skeleton()
+    if may_guess and fits(loaded, default):
+        return Pairing(default, motion_theater.DEFAULT_SKELETON_NOTICE)
     if refused:
         raise UserError(f"No skeleton fits {base_name(path)}: {refused[0]}")
     raise UserError(
@@ -265,19 +285,20 @@ def find_skeleton(path: str, loaded: Loaded) -> tuple[Loaded, str, str]:
     )
 
 
+def fits(loaded: Loaded, skeleton: Loaded) -> bool:
+    """Return whether a motion and a skeleton belong together."""
+    try:
+        bind(loaded, text_of(skeleton))
+    except UserError:
+        return False
+    return True
+
+
 def as_skeleton(loaded: Loaded) -> motion_theater.Skeleton:
     """Return the skeleton of a file that should hold one."""
     if loaded.clip.skeleton is None:
         raise UserError(f"{base_name(loaded.clip.path)} holds no skeleton: choose an .asf or .bvh file")
     return loaded.clip.skeleton
-
-
-def _files(folder: Path) -> list[str]:
-    """Return the files of a folder; none where it cannot be listed."""
-    try:
-        return [entry.path for entry in os.scandir(folder) if entry.is_file()]
-    except OSError:
-        return []
 
 
 def is_missing(ob: Object, entry: MotionEntry) -> bool:

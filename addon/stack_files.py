@@ -111,7 +111,7 @@ class _Writer:
 
 def _skeletons_beside(path: str) -> list[str]:
     try:
-        return [sources.find_skeleton(path, sources.read_file(path))[1]]
+        return [sources.find_skeleton(path, sources.read_file(path), may_guess=False).skeleton.clip.path]
     except UserError:
         return []
 
@@ -184,8 +184,9 @@ def _imported(context: Context, skeleton: str, folder: Path, entries: list[dict[
             raise UserError("The file names no skeleton: select an armature first")
         path = str(folder / first["source"])
         own = str(folder / first["skeleton"]) if first.get("skeleton") else ""
-        skeleton, _ = tracks.skeleton_file(sources.read_file(path), tracks.Request(path, skeleton=own))
-    return skeletons.import_skeleton(context, os.path.normpath(skeleton))
+        pairing = tracks.pairing_of(sources.read_file(path), tracks.Request(path, skeleton=own), may_guess=True)
+        return skeletons.import_skeleton(context, pairing.skeleton)
+    return skeletons.import_skeleton(context, sources.read_file(os.path.normpath(skeleton)))
 
 
 def _settings(ob: Object, entry: Mapping[str, Any], label: str, folder: Path, skeleton: str) -> dict[str, object]:

@@ -41,7 +41,7 @@ class Request:
     import_options: Mapping[str, object] = field(default_factory=dict)
     """How a skeleton is imported where one is: arguments of `skeletons.import_skeleton`."""
     skeleton_candidates: tuple[str, ...] = ()
-    """Skeleton files that came together with the motion, best first."""
+    """Skeleton files that came together with the motion."""
     settings: Mapping[str, object] = field(default_factory=dict)
     """Settings of the entry, by the names of its properties."""
 
@@ -130,40 +130,33 @@ def _armature_for(
                 raise
             misfitting = ob
             try:
-                path, reason = skeleton_file(loaded, request)
+                pairing = pairing_of(loaded, request, may_guess=False)
             except UserError:
-                path = ""
-            if not path or _same_bones(misfitting, path):
+                pairing = None
+            if pairing is None or _same_bones(misfitting, pairing.skeleton):
                 raise
     else:
-        path, reason = skeleton_file(loaded, request)
+        pairing = pairing_of(loaded, request, may_guess=True)
     options: dict[str, Any] = dict(request.import_options)
-    ob, told = skeletons.import_skeleton(context, path, **options)
-    taken = f"Took {base_name(path)}, because {reason}" if reason else ""
-    return ob, "", [taken, *told]
+    ob, told = skeletons.import_skeleton(context, pairing.skeleton, **options)
+    return ob, "", [pairing.told, *told]
 
 
-def skeleton_file(loaded: sources.Loaded, request: Request) -> tuple[str, str]:
-    """Return the skeleton file of a motion, and why it was taken; no reason where the user named it."""
-    if request.skeleton and not sources.has_own_skeleton(loaded):
-        sources.bind(loaded, sources.text_of(sources.read_file(request.skeleton)))
-        return request.skeleton, ""
+def pairing_of(loaded: sources.Loaded, request: Request, *, may_guess: bool) -> sources.Pairing:
+    """Return the skeleton of a motion; nothing is said where it is the file's own, or the user named it."""
     if sources.has_own_skeleton(loaded):
-        return request.path, ""
-    for path in request.skeleton_candidates:
-        try:
-            sources.bind(loaded, sources.text_of(sources.read_file(path)))
-        except UserError:
-            continue
-        return path, "it came with the motion"
-    _, path, reason = sources.find_skeleton(request.path, loaded)
-    return path, reason
+        return sources.Pairing(loaded)
+    if request.skeleton:
+        named = sources.read_file(request.skeleton)
+        sources.bind(loaded, sources.text_of(named))
+        return sources.Pairing(named)
+    return sources.find_skeleton(request.path, loaded, request.skeleton_candidates, may_guess=may_guess)
 
 
-def _same_bones(ob: Object, path: str) -> bool:
+def _same_bones(ob: Object, skeleton: sources.Loaded) -> bool:
     """Return whether an armature has all bones of a skeleton file, so that importing it would not help."""
-    skeleton = sources.as_skeleton(sources.read_file(path))
-    return len(sources.matched_bones(stack.of(ob), skeleton, ob.data.bones.keys())) == len(skeleton.names)
+    file = sources.as_skeleton(skeleton)
+    return len(sources.matched_bones(stack.of(ob), file, ob.data.bones.keys())) == len(file.names)
 
 
 def fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, list[str]]:
@@ -172,10 +165,9 @@ def fitted(ob: Object, loaded: sources.Loaded, request: Request) -> tuple[str, l
     told: list[str] = []
     own = motion.skeleton_text
     if request.skeleton or not own or sources.has_own_skeleton(loaded):
-        path, reason = skeleton_file(loaded, request)
-        text = sources.text_of(sources.read_file(path))
-        if reason:
-            told.append(f"Took {base_name(path)}, because {reason}")
+        pairing = pairing_of(loaded, request, may_guess=True)
+        text = sources.text_of(pairing.skeleton)
+        told += [pairing.told] if pairing.told else []
     else:
         text = own
     skeleton = sources.skeleton_from_text(text)

@@ -35,7 +35,9 @@ def coordinates(points: Any) -> NDArray[np.float32] | None:
     if stride < _SMALLEST_KEY or any(points[at].as_pointer() != start + at * stride for at in probes):
         return None
     keys = (ctypes.c_char * (count * stride)).from_address(start)
-    view: NDArray[np.float32] = np.ndarray((count, 2), np.float32, keys, _HANDLE, (stride, 4))
-    if any(tuple(view[at]) != tuple(points[at].co) for at in probes):
+    # Two float32 seen as one complex number: numpy copies a column of single items four times as fast as rows of two.
+    view: NDArray[np.complex64] = np.ndarray(count, np.complex64, keys, _HANDLE, (stride,))
+    copied = view.copy().view(np.float32)
+    if any(tuple(copied[2 * at : 2 * at + 2]) != tuple(points[at].co) for at in probes):
         return None
-    return view.ravel()
+    return copied

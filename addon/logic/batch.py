@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from .messages import base_name, counted
-from .skeleton_search import candidates
 
 
 @dataclass(frozen=True)
@@ -17,7 +16,7 @@ class Job:
     format: str
     """What its content says; empty where nothing reads it."""
     skeletons: tuple[str, ...] = ()
-    """For a motion without a skeleton of its own: the skeletons that came with it, best first."""
+    """For a motion without a skeleton of its own: the skeletons that came with it."""
 
 
 @dataclass
@@ -58,17 +57,9 @@ def plan(paths: Iterable[str], format_of: Callable[[str], str]) -> list[Job]:
     formats = {path: format_of(path) for path in paths}
     skeletons = [path for path, kind in formats.items() if kind == "asf"]
     motions = [
-        Job(path, kind, _ranked(path, skeletons) if kind == "amc" else ())
-        for path, kind in formats.items()
-        if kind != "asf"
+        Job(path, kind, tuple(skeletons) if kind == "amc" else ()) for path, kind in formats.items() if kind != "asf"
     ]
     return motions + [Job(path, "asf") for path in skeletons]
-
-
-def _ranked(motion: str, skeletons: list[str]) -> tuple[str, ...]:
-    """Return skeletons for a motion: those whose names speak for them first, then all others."""
-    likely = [candidate.path for candidate in candidates(motion, None, skeletons, ())]
-    return tuple(dict.fromkeys([*likely, *skeletons]))
 
 
 def used_by(skeleton: str, motion: str) -> str:

@@ -45,6 +45,11 @@ def frames(coordinates: Array) -> Array:
     return coordinates[0::2]
 
 
+def are_apart(coordinates: NDArray[np.float32]) -> bool:
+    """Return whether keys are in order, and so far from each other that Blender tells them apart."""
+    return bool((np.diff(frames(coordinates)) > 2 * NEAREST).all())
+
+
 def made(coordinates: NDArray[np.float32], interpolation: NDArray[np.int32] | None) -> Keys:
     """Return new keys at coordinates, with handles that Blender will compute; linear where nothing else is said."""
     number = len(coordinates) // 2

@@ -8,7 +8,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
-from .. import skeletons, stack
+from .. import skeletons, sources, stack
 from ..logic.messages import sentences
 from ..properties import BONE_STYLES, FORWARD_AXES, UP_AXES
 from . import import_file, outcome
@@ -50,7 +50,7 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, import_file.SizeOpti
         def import_skeleton() -> str:
             ob, told = skeletons.import_skeleton(
                 context,
-                self.filepath,
+                sources.read_file(self.filepath),
                 scale=self.scale,
                 up=self.up,
                 forward=self.forward,

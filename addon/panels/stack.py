@@ -63,6 +63,7 @@ class MOTION_THEATER_MT_stack_specials(bpy.types.Menu):
         layout.operator("motion_theater.relink_source", icon="FILEBROWSER")
         layout.operator("motion_theater.pack_sources", icon="PACKAGE")
         layout.operator("motion_theater.unpack_sources", icon="UGLYPACKAGE")
+        layout.operator("motion_theater.sidecar_edit", icon="TEXT")
         layout.separator()
         layout.operator("motion_theater.stack_export", icon="EXPORT")
         layout.operator("motion_theater.stack_import", icon="IMPORT")

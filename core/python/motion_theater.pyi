@@ -12,14 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "DEFAULT_SKELETON_ASF",
+    "DEFAULT_SKELETON_NOTICE",
+    "SIDECAR_LABELS",
     "AnalogChannel",
     "Answer",
     "BaseChannel",
     "Clip",
     "Evaluation",
     "Event",
+    "Figure",
     "Filter",
     "Inference",
+    "Library",
+    "LibraryClip",
+    "LibraryError",
+    "LibraryFolder",
     "Markers",
     "MisfitError",
     "Motion",
@@ -27,11 +35,17 @@ __all__ = [
     "Notice",
     "ParameterError",
     "ParseError",
+    "Preview",
     "ResultChannel",
     "Rig",
+    "Scan",
+    "ScanProgress",
+    "Sidecar",
     "Skeleton",
+    "SkeletonCandidate",
     "Track",
     "__version__",
+    "default_skeleton",
     "digest",
     "evaluate",
     "filter_rotations",
@@ -39,10 +53,15 @@ __all__ = [
     "format_of",
     "format_recipe",
     "infer",
+    "load_figure",
     "main",
     "parse_recipe",
     "read",
     "read_bytes",
+    "read_sidecar",
+    "sidecar_cleaned",
+    "sidecar_for",
+    "skeletons_for",
     "to_acclaim",
     "to_bvh",
 ]
@@ -71,6 +90,9 @@ class MisfitError(MotionTheaterError, ValueError):
 
 class ParameterError(MotionTheaterError, ValueError):
     """A number or combination that was asked for makes no sense."""
+
+class LibraryError(MotionTheaterError):
+    """A library cannot be opened, read or written; the text says why, and what to do."""
 
 @final
 class Skeleton:
@@ -152,7 +174,7 @@ class Motion:
     def pose(self, skeleton: Skeleton, frame: float) -> tuple[Floats, Floats, Floats]:
         """Heads (bones, 3), tails (bones, 3) and global rotations (bones, 4) at a real-valued file frame."""
     def resampled(self, rate_hz: float) -> Motion:
-        """The same motion at another rate, low-passed first when going down."""
+        """The same motion at another rate, low-passed first when going down; it lasts as long, to half a frame."""
     def in_rest_axes(
         self, names: Sequence[str | None], axes: Floats, scale: float, *, orders: Sequence[str | None] | None = None
     ) -> Motion:
@@ -302,6 +324,84 @@ def read_bytes(data: bytes, *, name: str, skeleton: Skeleton | None = None) -> C
 
 def format_of(path: str | PathLike[str]) -> str | None:
     """The format of a file by how it begins, or else by its extension; None for what has no reader. Raises OSError."""
+
+@final
+class Figure:
+    """A clip as points and lines over frames, in metres, Z up, at the place where the file has it.
+
+    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points
+    are those that are positions, the lines join neighbours that keep their distance, and groups of these. Arrays are
+    made anew on every access."""
+
+    names: list[str]
+    """One per point."""
+    points: NDArray[np.float32]
+    """(frames, points, 3); NaN where a point is not seen."""
+    lines: NDArray[np.int32]
+    """(lines, 2) which points each line joins."""
+    sides: NDArray[np.int8]
+    """(lines,) -1 for the figure's own left, 1 for its right, 0 for the middle and where it is not known."""
+    frames: int
+    """How many frames there are here."""
+    step: int
+    """Every so many frames of the file one is here."""
+    first_frame: int
+    """The file's own number of the first frame."""
+    rate_hz: float
+    """Of the frames that are here; assumed where the file does not say."""
+    bounds: NDArray[np.float32]
+    """(2, 3) the lowest and the highest coordinates over all frames; zeros where nothing is ever seen."""
+    floor: float
+    """The height of the floor that the figure stands on: 0, or where the file has its origin elsewhere, as low as the
+    figure comes."""
+
+    def segments(self, frame: float) -> NDArray[np.float32]:
+        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first
+        and after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a
+        gap has no length."""
+
+    def dots(self, frame: float) -> NDArray[np.float32]:
+        """(points that are seen, 3) at a frame, as in `segments`."""
+
+    def colors(
+        self,
+        *,
+        left: tuple[float, float, float, float],
+        middle: tuple[float, float, float, float],
+        right: tuple[float, float, float, float],
+    ) -> NDArray[np.float32]:
+        """(lines * 2, 4) a colour for each end of each line, in the order of `segments`."""
+
+def load_figure(path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None) -> Figure:
+    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of
+    `skeletons_for` is taken, or the default one. Where there are more frames than `longest`, every second, third, ...
+    is taken, so that the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
+
+@final
+class SkeletonCandidate:
+    """A skeleton file that may belong to a motion, and why."""
+
+    path: str
+    reason: str
+    """The end of "Took 02.asf, because ...": "it is of the same subject, 02"."""
+
+def skeletons_for(
+    path: str | PathLike[str],
+    *,
+    chosen: Sequence[str | PathLike[str]] = (),
+    others: Sequence[str | PathLike[str]] = (),
+) -> list[SkeletonCandidate]:
+    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
+    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
+    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+
+def default_skeleton() -> Skeleton:
+    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human of root and 30 bones."""
+
+DEFAULT_SKELETON_ASF: str
+"""The same as an ASF file."""
+DEFAULT_SKELETON_NOTICE: str
+"""What the user is told where it is used."""
 
 @final
 class Answer:
@@ -463,6 +563,216 @@ def parse_recipe(text: str, *, name: str | PathLike[str]) -> dict[str, Any]:
 
 def format_recipe(recipe: Mapping[str, Any]) -> str:
     """Return a stack file as TOML. Raises ParameterError where it holds what a stack file cannot."""
+
+@final
+class LibraryFolder:
+    """A folder of the library."""
+
+    path: str
+    clips: int
+    """How many clips belong to it, broken and missing ones too."""
+    broken: int
+    """How many of them cannot be read."""
+    missing: int
+    """How many of them are no longer there."""
+    scanned_at: int | None
+    """When a scan of it was last complete, in seconds since 1970."""
+
+@final
+class LibraryClip:
+    """A clip as the library knows it. What nobody knows is None; docs/library.md says what every field means."""
+
+    id: int
+    """The clip's number in its library: it stays, wherever the file moves."""
+    path: str
+    name: str
+    folder: str
+    """The folder of the library in which it lies and the folders below it, with "/" between them."""
+    size: int
+    modified_ns: int
+    content_hash: str | None
+    """The BLAKE3 hash of the file's bytes in hexadecimal digits."""
+    format: str
+    frames: int | None
+    first_frame: int | None
+    rate_hz: float | None
+    duration_s: float | None
+    joints: int | None
+    markers: int | None
+    skeleton_fingerprint: str | None
+    height_m: float | None
+    unit_m: float | None
+    up: str | None
+    skeleton_path: str | None
+    skeleton_reason: str | None
+    subject: str | None
+    recorded_on: str | None
+    description: str | None
+    session_group: str | None
+    cleaned: bool | None
+    rating: int
+    """From 1 to 5 stars; 0 for none."""
+    is_favourite: bool
+    used_at: int | None
+    """When it was last used, in seconds since 1970."""
+    notices: list[str]
+    error: str | None
+    """Why the file cannot be read."""
+    is_missing: bool
+    tags: list[str]
+    segments: list[tuple[int, int]]
+    """The usable pieces: first and last frame, in the file's own numbers."""
+    sources: dict[str, str]
+    """Which source says what is in force, by field: "FILE", "INDEX", "SIDECAR" or "USER"."""
+
+@final
+class ScanProgress:
+    """How far a scan is."""
+
+    phase: str
+    """"LOOKING", "READING", "DRAWING" or "DONE"."""
+    done: int
+    """How many files it has read, ..."""
+    total: int
+    """... of how many that are new or changed; it grows while the scan is looking."""
+    current: str
+    """The path of the file that was taken up last."""
+    unchanged: int
+    """How many clips are as they were: these are not opened."""
+    new: int
+    changed: int
+    moved: int
+    missing: int
+    broken: int
+    """How many of the files that were read are damaged."""
+    previews_done: int
+    previews_total: int
+    is_finished: bool
+    error: str | None
+    """Why it could not go on."""
+
+@final
+class Scan:
+    """A scan that runs in the background, also when nobody holds this any more."""
+
+    def progress(self) -> ScanProgress: ...
+    def cancel(self) -> None:
+        """Stop as soon as the files that are being read are done; what was read stays in the library."""
+
+    def wait(self, timeout_s: float | None = None) -> bool:
+        """Wait for the end, at most so long, and return whether it has come. Releases the interpreter."""
+
+@final
+class Library:
+    """A catalogue of clips in a file. Several processes and threads may use one at a time, also while one scans.
+
+    Raises LibraryError where the file is something else or of a later version (it is left as it is then), or cannot be
+    written; ParameterError for what makes no sense; OSError for folders that are not there.
+    """
+
+    def __new__(cls, path: str | PathLike[str]) -> Library:
+        """Open a library; make it where there is no file, bring one of an earlier version up to date."""
+
+    path: str
+    def folders(self) -> list[LibraryFolder]: ...
+    def add_folder(self, path: str | PathLike[str]) -> None:
+        """Add a folder; its clips come with the next scan."""
+
+    def remove_folder(self, path: str | PathLike[str]) -> None:
+        """Remove a folder and what is known of its clips; the files stay."""
+
+    def scan(
+        self,
+        folders: Sequence[str | PathLike[str]] | None = None,
+        *,
+        with_previews: bool = True,
+        jobs: int | None = None,
+    ) -> Scan:
+        """Begin a scan of folders of the library, or folders within them (None: all), and return at once."""
+
+    def count(self) -> int:
+        """Return how many clips there are, missing and broken ones too."""
+
+    def clips(self, ids: Sequence[int]) -> list[LibraryClip]:
+        """Return clips in the order of `ids`; those that are not there are left out."""
+
+    def values(self, field: str) -> list[tuple[str, int]]:
+        """Return the values of "tag", "subject", "format" or "group", each with how many clips have it."""
+
+    def edit(self, ids: Sequence[int], fields: dict[str, object]) -> None:
+        """Write what the user says: `subject`, `recorded_on`, `description`, `session_group` as text, `cleaned` as a truth
+        value (None takes the user's own value back), `rating`, `is_favourite`. All clips, or none."""
+
+    def tag(self, ids: Sequence[int], *, add: Sequence[str] = ..., remove: Sequence[str] = ...) -> None: ...
+    def set_segments(self, id: int, segments: Sequence[tuple[int, int]]) -> None:
+        """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
+
+    def mark_used(self, id: int) -> None: ...
+    def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
+        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
+        means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
+        those of the system where they are not given."""
+
+    def still(self, id: int) -> NDArray[np.uint8] | None:
+        """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours
+        not multiplied by opacity. None where it has not been drawn (`scan`)."""
+
+    def strip(self, id: int) -> Preview | None:
+        """The liveliest seconds of a clip. None where it has not been drawn (`scan`)."""
+
+@final
+class Preview:
+    """A moving strip of a clip, at the speed of the clip."""
+
+    frames: NDArray[np.uint8]
+    """(frames, height, width, 4), as a `still`."""
+    rate_hz: float
+    """How many frames make a second."""
+    still_frame: int
+    """The file's own number of the frame that the still shows."""
+
+SIDECAR_LABELS: dict[str, str]
+"""The fields of a sidecar in order: "last_change": "Last changed on"."""
+
+@final
+class Sidecar:
+    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`. Labels in other words, another order,
+    missing lines and whatever else stands there are understood as far as they can be, and kept in place. Raises OSError
+    where it cannot be read or written, ParameterError for a value that a field cannot hold, LibraryError where someone else
+    changed the file meanwhile; the file is what it was then."""
+
+    path: str
+    is_on_disk: bool
+    """False for a new one, until it is saved."""
+    is_edited: bool
+    """Whether saving would change the file."""
+    fields: dict[str, str]
+    """Every field by its name, in the order of `SIDECAR_LABELS`; empty where there is no value."""
+    unknown: list[str]
+    """Lines that no field means."""
+    faults: list[str]
+    """What is wrong with the values, a sentence each."""
+
+    def set(self, field: str, value: str) -> None:
+        """Edit one field; nothing is on disk before `save`. *Cleaned* is empty or one of J, Ja, Y, Yes, N, Nein, No."""
+    def stamp(self, *, today: str | None = None, who: str | None = None) -> None:
+        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this. Both are those
+        of the system where they are not given."""
+    def save(self) -> None:
+        """Write the file as a whole or not at all. Permissions, encoding and line ends stay."""
+    def to_bytes(self) -> bytes:
+        """The file as it would be saved."""
+
+def read_sidecar(path: str | PathLike[str]) -> Sidecar:
+    """Open a sidecar that is there."""
+
+def sidecar_cleaned(value: str) -> bool | None:
+    """What *Cleaned* says: True for J, Ja, Y, Yes, False for N, Nein, No, in any case; None where it is empty. Raises
+    ParameterError for anything else."""
+
+def sidecar_for(clip_path: str | PathLike[str]) -> Sidecar:
+    """Open the sidecar beside a clip, or make a new one with what the clip tells: date, subject, duration, frame rate and the
+    skeleton that was found. A new one is on disk only once it is saved."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

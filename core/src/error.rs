@@ -51,12 +51,18 @@ pub struct MisfitError {
 #[error("{0}")]
 pub struct ParameterError(pub String);
 
+/// Returns what the system says of an error, without its number.
+pub fn words(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or_default().to_owned()
+}
+
 /// Everything that reading a file from disk can end in.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The disk failed: no such file, no permission, a directory.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {}", path.display(), words(source))]
     Io {
         /// The file that was asked for.
         path: PathBuf,

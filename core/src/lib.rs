@@ -13,7 +13,11 @@
 //! | [`combine`] | cut, scale, blend and align one track over what was there |
 //! | [`filter`] | median, moving average, weighted average |
 //! | [`recipe`] | a stack as a small TOML or JSON file |
-//! | [`skeleton_search`] | which skeleton file belongs to a motion file |
+//! | [`pairing`] | which skeleton file belongs to a motion file |
+//! | [`loaded`] | a file with what belongs to it |
+//! | [`sidecar`] | what people say of a clip, in a small text beside it |
+//! | [`upright`] | from a file's axes to Z up |
+//! | [`skim`] | what a file is about, without reading every number in it |
 //! | [`stack`] | base motion + ordered tracks and filters -> the resulting channels and what to tell the user |
 
 mod bytes;
@@ -25,19 +29,24 @@ pub mod formats;
 pub mod gaps;
 pub mod infer;
 pub mod keys;
+pub mod loaded;
 pub mod markers;
 pub mod motion;
 pub mod number;
+pub mod pairing;
 pub mod pose;
 pub mod rate;
 pub mod read;
 pub mod recipe;
 pub mod rest_axes;
 pub mod sample;
+pub mod sidecar;
 pub mod skeleton;
-pub mod skeleton_search;
+pub mod skim;
 pub mod stack;
+mod tally;
 mod text;
+pub mod upright;
 pub mod value;
 
 pub use error::{MisfitError, ParameterError, ParseError, Position, ReadError};

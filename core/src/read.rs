@@ -73,7 +73,7 @@ impl Format {
     }
 
     /// Returns what the bytes are by their content, or else by the extension of `name`.
-    fn of(source: &[u8], name: &Path) -> Option<Self> {
+    pub fn of(source: &[u8], name: &Path) -> Option<Self> {
         let by_extension = || Self::from_extension(name.extension()?.to_str()?);
         match recognise(source) {
             Some(Kind::Asf) => Some(Self::Asf),
@@ -133,10 +133,26 @@ impl Clip {
     }
 
     /// Takes markers and what the user should know of them, and says what was inferred.
-    fn of_markers(format: Format, (markers, mut notices): (Markers, Vec<String>)) -> Self {
+    pub(crate) fn of_markers(format: Format, (markers, mut notices): (Markers, Vec<String>)) -> Self {
         notices.push(format!("Length unit: {}", markers.unit.reason));
         notices.push(format!("Up axis: {}", markers.up.reason));
         Self { markers: Some(Arc::new(markers)), notices, ..Self::new(format) }
+    }
+
+    /// Takes a motion that has no skeleton.
+    pub(crate) fn of_amc(amc: Amc) -> Self {
+        let notices = amc.notices();
+        Self { amc: Some(amc), notices, ..Self::new(Format::Amc) }
+    }
+
+    /// Takes a motion with its skeleton, and says what was inferred.
+    pub(crate) fn of_bvh(bvh: Bvh) -> Self {
+        let (skeleton, motion, inference) = bvh.skeleton_motion_and_inference();
+        let mut notices = bvh.notices();
+        notices.push(format!("Length unit: {}", inference.unit_m.reason));
+        notices.push(format!("Up axis: {}", inference.up.reason));
+        notices.push(format!("Facing: {}", inference.facing.reason));
+        Self { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Self::new(Format::Bvh) }
     }
 
     /// Returns the file anew: the same values, names and order.
@@ -227,7 +243,7 @@ pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Re
             let amc = Amc::parse(source).map_err(wrong)?;
             amc_clip(amc, skeleton).map_err(|error| ReadError::Misfit { path: PathBuf::from(name), error })
         }
-        Some(Format::Bvh) => Ok(bvh_clip(Bvh::parse(source).map_err(wrong)?)),
+        Some(Format::Bvh) => Ok(Clip::of_bvh(Bvh::parse(source).map_err(wrong)?)),
         Some(Format::C3d) => c3d_clip(source.to_vec(), name),
         Some(Format::Csm) => Ok(csm_clip(Csm::parse(source).map_err(wrong)?)),
         Some(Format::Trc) => Ok(trc_clip(Trc::parse(source).map_err(wrong)?)),
@@ -262,20 +278,13 @@ fn asf_clip(asf: Asf) -> Clip {
 }
 
 fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> {
-    let (motion, notices) = match skeleton.map(|skeleton| amc.motion(skeleton)).transpose()? {
-        Some((motion, notices)) => (Some(motion), notices),
-        None => (None, amc.notices()),
-    };
-    Ok(Clip { amc: Some(amc), motion, notices, ..Clip::new(Format::Amc) })
-}
-
-fn bvh_clip(bvh: Bvh) -> Clip {
-    let (skeleton, motion, inference) = bvh.skeleton_motion_and_inference();
-    let mut notices = bvh.notices();
-    notices.push(format!("Length unit: {}", inference.unit_m.reason));
-    notices.push(format!("Up axis: {}", inference.up.reason));
-    notices.push(format!("Facing: {}", inference.facing.reason));
-    Clip { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Clip::new(Format::Bvh) }
+    let bound = skeleton.map(|skeleton| amc.motion(skeleton)).transpose()?;
+    let mut clip = Clip::of_amc(amc);
+    if let Some((motion, notices)) = bound {
+        clip.motion = Some(motion);
+        clip.notices = notices;
+    }
+    Ok(clip)
 }
 
 fn unknown(source: &[u8]) -> ParseError {

@@ -165,6 +165,14 @@ fn a_csm_or_trc_cut_at_any_byte_is_refused_or_keeps_its_whole_frames() {
 }
 
 #[test]
+fn a_place_without_all_three_coordinates_is_a_gap_and_is_said() {
+    let trc = read_trc(&TRC.replace("-1e-3\t.5\t6.", "-1e-3\tnan\t6.")).unwrap();
+    let (markers, notices) = trc.markers();
+    assert_eq!(markers.positions.valid(), [true, false, true, true, false, false]);
+    assert!(notices.contains(&"Places without all three coordinates are taken as gaps: 1".to_owned()), "{notices:?}");
+}
+
+#[test]
 fn files_that_the_fuzzer_starts_from_are_read_and_used() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus");
     let mut count = 0;
@@ -297,7 +305,16 @@ fn counts_cost_nothing() {
     let c3d = C3d::parse(bytes).unwrap();
     assert_eq!((c3d.layout().point_count, c3d.layout().frame_count), (65_535, 0));
     use_fully(&c3d.markers().0);
-    let wide = format!("{}\t1\n", "1\t0".to_owned() + &"\t".repeat(299_999));
+    let wide = format!("{}\t1\t1\t1\n", "1\t0".to_owned() + &"\t".repeat(299_997));
     let rows = TRC.lines().take(5).collect::<Vec<_>>().join("\n") + "\n" + &wide + &"1\t0\t1\t2\t3\n".repeat(30_000);
     assert_eq!(Trc::parse(rows.as_bytes()).unwrap_err().found, "30001 rows of which one has 300000");
+}
+
+#[test]
+fn no_reader_takes_a_rate_that_another_would_refuse() {
+    for rate in ["6666660", "1e300", "-5", "0", "nan"] {
+        let trc = read_trc(&TRC.replacen("59.94", rate, 1).replace("0.017", "1e-9").replace("0.033", "2e-9")).unwrap();
+        assert_eq!(trc.rate_hz(), None, "{rate}");
+        assert!(read_csm(&CSM.replace("119.88", rate)).is_err(), "{rate}");
+    }
 }

@@ -1,268 +1,86 @@
 //! What is inferred of every real file, and of copies that are scaled, turned and played at other rates: it may be unsure,
-//! but where it is certain it is right.
-//!
-//! `cargo test -p motion-theater-core --test inference -- --nocapture` prints the table.
+//! but where it is certain it is right. `cargo run --example inference_table` prints the table.
 
-use glam::DVec3;
-use motion_theater_core::formats::asf::Asf;
-use motion_theater_core::formats::bvh::{Bvh, Channel};
-use motion_theater_core::infer::{infer, Answer};
-use motion_theater_core::pose::pose;
-use motion_theater_core::rate::rate_of_frame_time;
-use motion_theater_core::read::read_path;
-use std::path::{Path, PathBuf};
+mod truths;
 
-const ACCLAIM_M: f64 = 0.0254 / 0.45;
-const INCH_M: f64 = 0.0254;
+use truths::{folder, markers, rates, skeletons, sum, Counts, Tally};
 
-/// What is known of a file: metres per unit, and which axes are up and ahead in its rest pose. What nobody can know, or
-/// the rest pose does not have, is `None`; then nothing may be certain.
-struct Truth {
-    file: &'static str,
-    unit_m: Option<f64>,
-    up: Option<DVec3>,
-    facing: Option<DVec3>,
-}
-
-const fn truth(file: &'static str, unit_m: Option<f64>, up: Option<DVec3>, facing: Option<DVec3>) -> Truth {
-    Truth { file, unit_m, up, facing }
-}
-
-const X: Option<DVec3> = Some(DVec3::X);
-const Y: Option<DVec3> = Some(DVec3::Y);
-const Z: Option<DVec3> = Some(DVec3::Z);
-const BACK: Option<DVec3> = Some(DVec3::NEG_Y);
-const CM: Option<f64> = Some(0.01);
-const INCH: Option<f64> = Some(INCH_M);
-const ACCLAIM: Option<f64> = Some(ACCLAIM_M);
-
-const BVH_FILES: [Truth; 39] = [
-    truth("accad_Male1_A13_Skipping", CM, Y, None),
-    truth("bandai1_bow_active_001", CM, Y, None),
-    truth("blender_walk01", CM, Y, Z),
-    truth("cmu_daz_10_03", CM, Y, Z),
-    truth("cmu_max_02_01", ACCLAIM, Y, Z),
-    truth("cmu_mb_01_01", ACCLAIM, Y, Z),
-    truth("cmu_mixed_orders_jumping_jacks", ACCLAIM, Y, Z),
-    truth("debug_axes", None, None, None),
-    // Its positions have another unit than its bones.
-    truth("dynamicus_Example", None, Z, Y),
-    truth("example3", None, None, None),
-    truth("fair1_dab", None, Z, BACK),
-    truth("full_precision_frame_time", None, None, None),
-    truth("ganimator_Xia_proud", ACCLAIM, Y, Z),
-    truth("geno_stance", CM, Y, Z),
-    truth("kinect_openni_ah_cut_01", Some(0.001), Y, None),
-    truth("lafan1_dance1_subject1_crop", CM, Y, None),
-    truth("makehuman_benchmark", Some(0.1), Z, BACK),
-    truth("makehuman_walk1", Some(0.1), Z, BACK),
-    truth("mixamo_blender_Walking", CM, Y, Z),
-    truth("mixamo_freebvh", CM, Y, Z),
-    truth("mixed_orders_bvh_example", INCH, Z, Y),
-    truth("mocapbank", CM, Y, Z),
-    truth("mocapnet_02_03_498ch", CM, Y, Z),
-    truth("motionbuilder_backflip", CM, Y, Z),
-    truth("named_endsite_Matt_Happy2", CM, Y, None),
-    truth("no_endsites_jump_from_stand", INCH, Z, X),
-    truth("perception_neuron_scene", CM, Y, Z),
-    truth("quadruped_Dog_example", None, None, None),
-    truth("rokoko_jesse_dance", CM, Y, None),
-    truth("rows_lead_blank_DanceTurn", INCH, Y, Z),
-    truth("standard_skeleton", INCH, Z, Y),
-    truth("swagger", CM, Y, Z),
-    truth("test_simple", None, None, None),
-    truth("truebones_Chicken_Walk", None, None, None),
-    truth("upper_case_channels_sample-walk", Some(1.0), Y, Z),
-    truth("usd_test_bvh", None, None, None),
-    truth("xia_old_13_000", ACCLAIM, Y, Z),
-    truth("xsens_BoxLift_S01_T01", CM, Y, Z),
-    truth("xsens_S01_Trial02", CM, Y, Z),
-];
-
-const ASF_FILES: [(Truth, &str); 5] = [
-    (truth("cmu01/01", ACCLAIM, Y, Z), "cmu01/01_01"),
-    (truth("cmu02/02", ACCLAIM, Y, Z), "cmu02/02_04"),
-    (truth("cmu09/09-run", ACCLAIM, Y, Z), "cmu09/09_06-run"),
-    (truth("cmu135/135-martialArts", ACCLAIM, Y, Z), "cmu135/135_06-martialArts"),
-    (truth("endorphin/skeleton", Some(1.0), Y, Z), "endorphin/walking"),
-];
-
-const SCALES: [f64; 6] = [1.0, 0.01, 0.0254, 0.1, 10.0, 100.0];
-
-/// Between which heights a person comes out, in metres, from the lowest joint to the highest, at rest or at the first
-/// frame: some rest poses lie in a heap, and so does one file's only frame, whose positions are all zero.
+/// Between which heights a person comes out, in metres, from the lowest joint to the highest.
 const PERSON_M: std::ops::RangeInclusive<f64> = 1.0..=2.2;
 
-#[derive(Debug, Default, PartialEq, Eq)]
-struct Counts {
-    right: usize,
-    unsure: usize,
-    wrong: usize,
-}
+const NOTHING: [String; 0] = [];
 
-impl Counts {
-    fn add<T>(&mut self, what: &str, answer: &Answer<T>, is_right: bool) {
-        match (answer.is_certain, is_right) {
-            (false, _) => self.unsure += 1,
-            (true, true) => self.right += 1,
-            (true, false) => {
-                self.wrong += 1;
-                println!("WRONG {what}: {}", answer.reason);
-            }
-        }
+/// People who stand along another axis than their files state.
+const STATED_WRONG: [&str; 3] =
+    ["c3d/c3dorg_13/Dance.c3d", "c3d/c3dorg_13/golfswing.c3d", "c3d/c3dorg_37/ART-Human_hands_real_no6dof.c3d"];
+
+fn assert_right(tallies: &[Tally], enough: [usize; 3]) {
+    let counts: [Counts; 3] = [sum(tallies, |t| &t.unit), sum(tallies, |t| &t.up), sum(tallies, |t| &t.facing)];
+    for (counts, enough) in counts.iter().zip(enough) {
+        assert_eq!(counts.faults, NOTHING);
+        // Nobody is helped by a reader that is never certain.
+        assert!(counts.right >= enough, "{} of {enough}", counts.right);
     }
-}
-
-fn folder() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data");
-    folder.is_dir().then_some(folder)
-}
-
-fn read_bvh(folder: &Path, truth: &Truth) -> Bvh {
-    read_path(&folder.join("bvh").join(truth.file).with_extension("bvh"), None).unwrap().bvh.unwrap()
-}
-
-fn is_near(value: f64, truth: Option<f64>) -> bool {
-    truth.is_some_and(|truth| (value / truth - 1.0).abs() < 1e-3)
-}
-
-fn extent(points: &[DVec3], axis: DVec3) -> f64 {
-    let along = || points.iter().map(|point| point.dot(axis));
-    along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
-}
-
-/// Returns the axes of a vector moved on, `turns` times X to Y, Y to Z, Z to X: a rotation.
-fn turned(vector: DVec3, turns: usize) -> DVec3 {
-    (0..turns).fold(vector, |v, _| DVec3::new(v.z, v.x, v.y))
-}
-
-/// Returns a copy in another unit and with other axes: the same values in channels of other names.
-fn changed(bvh: &Bvh, scale: f64, turns: usize) -> Bvh {
-    let place = |offset: [f64; 3]| (turned(DVec3::from(offset), turns) * scale).to_array();
-    let mut joints = bvh.joints.clone();
-    for joint in &mut joints {
-        joint.offset = place(joint.offset);
-        joint.end_sites.iter_mut().for_each(|end| end.offset = place(end.offset));
-        for channel in &mut joint.channels {
-            *channel = match *channel {
-                Channel::Position(axis) => Channel::Position((axis + turns) % 3),
-                Channel::Rotation(axis) => Channel::Rotation((axis + turns) % 3),
-            };
-        }
+    for tally in tallies {
+        assert!(
+            tally.heights_m.iter().all(|height| PERSON_M.contains(height)),
+            "{}: {:?}",
+            tally.file,
+            tally.heights_m
+        );
     }
-    let mut motion = bvh.motion.clone().unwrap();
-    let is_length: Vec<_> =
-        joints.iter().flat_map(|j| &j.channels).map(|c| matches!(c, Channel::Position(_))).collect();
-    for row in motion.values.chunks_exact_mut(is_length.len()) {
-        for (value, _) in row.iter_mut().zip(&is_length).filter(|(_, is_length)| **is_length) {
-            *value *= scale;
-        }
-    }
-    Bvh::new(joints, Some(motion))
-}
-
-/// Returns a copy in which another joint above the root is turned by a quarter about X: the motion is Z up, the rest pose is not.
-fn turned_as_a_whole(bvh: &Bvh) -> Bvh {
-    let mut joints = bvh.joints.clone();
-    for joint in &mut joints {
-        joint.parent = Some(joint.parent.map_or(0, |parent| parent + 1));
-    }
-    let above = motion_theater_core::formats::bvh::Joint {
-        name: "Turn".to_owned(),
-        channels: vec![Channel::Rotation(0)],
-        ..Default::default()
-    };
-    joints.insert(0, above);
-    let mut motion = bvh.motion.clone().unwrap();
-    motion.values = motion
-        .values
-        .chunks_exact(bvh.width())
-        .flat_map(|row| std::iter::once(90.0).chain(row.iter().copied()))
-        .collect();
-    Bvh::new(joints, Some(motion))
 }
 
 #[test]
-fn certain_answers_about_real_files_and_their_copies_are_right() {
+fn certain_answers_about_bvh_files_and_their_copies_are_right() {
     let Some(folder) = folder() else { return };
-    let (mut units, mut ups, mut facings) = (Counts::default(), Counts::default(), Counts::default());
-    for truth in &BVH_FILES {
-        let bvh = read_bvh(&folder, truth);
-        for scale in SCALES {
-            for turns in 0..3 {
-                let (skeleton, motion) = changed(&bvh, scale, turns).skeleton_and_motion();
-                let found = infer(&skeleton, motion.as_ref());
-                let what = format!("{} x {scale}, turned {turns} times", truth.file);
-                let unit_m = truth.unit_m.map(|unit| unit / scale);
-                units.add(&what, &found.unit_m, is_near(found.unit_m.value, unit_m));
-                ups.add(&what, &found.up, truth.up.is_some_and(|up| found.up.value == turned(up, turns)));
-                let ahead = truth.facing.map(|facing| turned(facing, turns));
-                facings.add(&what, &found.facing, Some(found.facing.value) == ahead);
-                if truth.unit_m.is_some() {
-                    let moved = pose(&skeleton, motion.as_ref().unwrap(), 1.0).heads;
-                    let height = [skeleton.rest_heads(), moved].map(|heads| extent(&heads, found.up.value));
-                    let height = height[0].max(height[1]) * found.unit_m.value;
-                    assert!(PERSON_M.contains(&height), "{what}: {height} m, {}", found.unit_m.reason);
-                }
-                if scale == 1.0 && turns == 0 {
-                    let mark = |is_certain| if is_certain { "certain" } else { "unsure " };
-                    println!("{:32} unit {} {}", truth.file, mark(found.unit_m.is_certain), found.unit_m.reason);
-                    println!("{:32} up   {} {}", "", mark(found.up.is_certain), found.up.reason);
-                    println!("{:32} ahead {} {}", "", mark(found.facing.is_certain), found.facing.reason);
-                }
-            }
-        }
-        let (skeleton, motion) = turned_as_a_whole(&bvh).skeleton_and_motion();
-        let found = infer(&skeleton, motion.as_ref()).up;
-        let as_moving = truth.up.is_some_and(|up| found.value == DVec3::new(up.x, -up.z, up.y));
-        ups.add(&format!("{} turned as a whole", truth.file), &found, as_moving);
-    }
-    println!("BVH unit {units:?}\nBVH up {ups:?}\nBVH ahead {facings:?}");
-    assert_eq!((units.wrong, ups.wrong, facings.wrong), (0, 0, 0));
-    // Nobody is helped by a reader that is never certain.
-    assert!(units.right > 150 && ups.right > 500 && facings.right > 400);
+    assert_right(&skeletons::bvh_copies(&folder), [150, 500, 400]);
 }
 
 #[test]
 fn certain_answers_about_acclaim_files_and_their_copies_are_right() {
-    let Some(folder) = folder().map(|folder| folder.join("asf_amc")) else { return };
-    let (mut units, mut ups, mut facings) = (Counts::default(), Counts::default(), Counts::default());
-    for (truth, motion_file) in &ASF_FILES {
-        let asf = read_path(&folder.join(truth.file).with_extension("asf"), None).unwrap().asf.unwrap();
-        for scale in SCALES {
-            let mut copy: Asf = asf.clone();
-            copy.bones.iter_mut().for_each(|bone| bone.length *= scale);
-            let skeleton = copy.skeleton();
-            let what = format!("{} x {scale}", truth.file);
-            let as_answer =
-                Answer { value: (), reason: skeleton.unit.reason.clone(), is_certain: skeleton.unit.is_certain };
-            units.add(&what, &as_answer, is_near(skeleton.unit.metres, truth.unit_m.map(|unit| unit / scale)));
-            let amc = read_path(&folder.join(motion_file).with_extension("amc"), Some(&skeleton)).unwrap();
-            let found = infer(&skeleton, amc.motion.as_ref());
-            ups.add(&what, &found.up, Some(found.up.value) == truth.up);
-            facings.add(&what, &found.facing, Some(found.facing.value) == truth.facing);
-        }
+    let Some(folder) = folder() else { return };
+    assert_right(&skeletons::acclaim_copies(&folder), [5, 24, 20]);
+}
+
+#[test]
+fn certain_answers_about_markers_of_which_nothing_is_stated_are_right() {
+    let Some(folder) = folder() else { return };
+    assert_right(&markers::silent_copies(&folder), [200, 700, 0]);
+}
+
+#[test]
+fn people_have_their_size_and_stand_up() {
+    let Some(folder) = folder() else { return };
+    for file in markers::PEOPLE {
+        let (found, (_, unit_m, up)) = (markers::read(&folder, file), markers::truth(file));
+        assert!(found.unit.is_certain && Some(found.unit.metres) == unit_m, "{file}: {}", found.unit.reason);
+        assert!(found.up.is_certain && Some(found.up.axis) == up, "{file}: {}", found.up.reason);
     }
-    println!("ASF unit {units:?}\nASF up {ups:?}\nASF ahead {facings:?}");
-    assert_eq!((units.wrong, ups.wrong, facings.wrong), (0, 0, 0));
-    assert!(units.right >= 5 && ups.right >= 24 && facings.right >= 20);
+}
+
+#[test]
+fn an_axis_that_the_people_contradict_is_not_believed() {
+    let Some(folder) = folder() else { return };
+    for file in STATED_WRONG {
+        let (found, (.., up)) = (markers::read(&folder, file), markers::truth(file));
+        assert_eq!((Some(found.up.axis), found.up.is_certain), (up, false), "{file}: {}", found.up.reason);
+    }
+}
+
+#[test]
+fn what_is_certain_of_people_about_whom_a_file_lies_is_right() {
+    let Some(folder) = folder() else { return };
+    let tallies = markers::lying_copies(&folder);
+    let (unit, up) = (sum(&tallies, |tally| &tally.unit), sum(&tallies, |tally| &tally.up));
+    assert_eq!([unit.faults, up.faults].concat(), NOTHING);
+    // Scaled copies state a wrong unit, and some cannot be known.
+    assert!(unit.right * 6 >= unit.right + unit.unsure && up.right * 3 >= up.right + up.unsure);
 }
 
 #[test]
 fn certain_rates_are_right_whatever_the_rounding() {
-    let rates =
-        [23.976, 24.0, 25.0, 29.97, 30.0, 48.0, 50.0, 59.94, 60.0, 90.0, 100.0, 119.88, 120.0, 125.0, 200.0, 240.0];
-    let mut counts = Counts::default();
-    for named in rates {
-        let truth = if (named - f64::round(named)).abs() > 1e-9 { f64::round(named) / 1.001 } else { named };
-        for decimals in 4..10 {
-            let written: f64 = format!("{:.decimals$}", 1.0 / truth).parse().unwrap();
-            let rate = rate_of_frame_time(written).unwrap();
-            let answer = Answer { value: (), reason: format!("{rate:?}"), is_certain: rate.doubt.is_none() };
-            counts.add(&format!("{truth} Hz as {written}"), &answer, (rate.hz - truth).abs() < 1e-9);
-        }
-    }
-    println!("rates {counts:?}");
-    assert_eq!(counts.wrong, 0);
-    assert!(counts.right > 80, "{counts:?}");
+    let counts = rates::rounded_frame_times();
+    assert_eq!(counts.faults, NOTHING);
+    assert!(counts.right > 80, "{}", counts.right);
 }

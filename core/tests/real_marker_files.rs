@@ -139,6 +139,23 @@ fn a_c3d_of_floating_point_is_within_half_a_step_as_integers() {
 }
 
 #[test]
+fn what_is_read_all_at_once_is_what_each_sample_says() {
+    for path in files("c3d", "c3d") {
+        let positions = &read(&path).markers.unwrap().positions;
+        let numbers = positions.to_f32().unwrap();
+        let mut together = numbers.as_chunks::<3>().0.iter().zip(positions.valid());
+        let samples = together.len();
+        for marker in 0..samples / positions.frame_count() {
+            for at in (0..positions.frame_count()).map(|frame| positions.get(marker, frame)) {
+                let (number, is_valid) = together.next().unwrap();
+                assert_eq!(is_valid, at.is_some(), "{}", name(&path));
+                assert_eq!(at.map(|at| at.as_vec3().to_array()), is_valid.then_some(*number), "{}", name(&path));
+            }
+        }
+    }
+}
+
+#[test]
 fn markers_of_every_c3d_composed_anew_are_the_same() {
     for path in files("c3d", "c3d") {
         let markers = read(&path).markers.unwrap();

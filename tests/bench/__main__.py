@@ -7,19 +7,30 @@ import platform
 import sys
 from typing import TextIO
 
-from tests.bench import editing, filters_vs_scipy, importing, reading, reading_c3d
+from tests.bench import (
+    editing,
+    filters_vs_scipy,
+    importing,
+    importing_bvh,
+    importing_markers,
+    reading,
+    reading_bvh,
+    reading_c3d,
+)
+
+PARTS = (reading, reading_bvh, reading_c3d, importing, importing_bvh, importing_markers, editing, filters_vs_scipy)
 
 
 def main() -> None:
     """Print a row as soon as it is measured. Ratios say how fast, never whether something is right."""
     table = _table_alone()
     print(
-        f"Medians of 7 runs or more, by turns with their reference; {os.cpu_count()} cores, {platform.machine()}\n",
+        f"Medians, by turns with their reference; {os.cpu_count()} cores, {platform.machine()}\n",
         file=table,
     )
     print(f"{'what':66} {'ratio':>7} {'target':>9}", file=table)
     missed = 0
-    for part in (reading, reading_c3d, importing, editing, filters_vs_scipy):
+    for part in PARTS:
         for row in part.measure():
             bound = f"{'<=' if row.at_most else '>='} {row.target:g}"
             mark = "" if row.is_met else "  MISSED"

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
-import subprocess
 from collections.abc import Iterator
 
 import motion_theater as mt
-from tests.bench.files import ROOT, Take, take
+from tests.bench.files import Take, take
+from tests.bench.limit import times_ms
 from tests.bench.plain_amc import read_amc
 from tests.bench.timing import Row, medians_s, ms
 
@@ -20,12 +19,8 @@ def measure() -> Iterator[Row]:
 
 
 def _against_the_limit(measured: Take) -> Row:
-    """The limit is measured in Rust, in one process: the same numbers read from a text that holds nothing else."""
-    command = ["cargo", "bench", "--quiet", "--locked", "--package", "motion-theater-core", "--bench", "read", "--"]
-    done = subprocess.run(
-        [*command, measured.amc, measured.asf], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True
-    )
-    times = {name: float(time) for name, time in re.findall(r"^(\w+) +([\d.]+) ms", done.stdout, re.MULTILINE)}
+    """The limit: the same numbers, read from a text that holds nothing else."""
+    times = times_ms(measured.amc, measured.asf)
     detail = f"{times['amc']:.3g} ms, its numbers alone {times['numbers']:.3g} ms"
     return Row("AMC bytes read, one thread, share of the limit", times["numbers"] / times["amc"], 0.5, detail=detail)
 

@@ -49,3 +49,19 @@ def test_a_key_on_the_border_lies_inside(frame: float, before: bool, after: bool
     made = keys.made(np.array([frame, 0.0], np.float32), None)
     is_before, is_after = keys.outside(made, 10.0, 20.0)
     assert (is_before.tolist(), is_after.tolist()) == ([before], [after])
+
+
+@pytest.mark.parametrize(
+    ("frames", "apart"),
+    [
+        ([], True),
+        ([3.0], True),
+        ([1.0, 2.0, 3.0], True),
+        ([1.0, 1.5], True),
+        ([1.0, 1.005], False),
+        ([2.0, 1.0], False),
+    ],
+)
+def test_keys_in_order_and_not_too_near_need_no_sorting_and_no_merging(frames: list[float], apart: bool) -> None:
+    coordinates = np.array([(frame, 0.0) for frame in frames], np.float32).reshape(-1)
+    assert keys.are_apart(coordinates) is apart

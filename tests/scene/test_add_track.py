@@ -44,8 +44,32 @@ def test_the_skeleton_that_the_user_names_is_taken(tmp_path: Path) -> None:
     assert ob.motion_theater.skeleton_source == str(elsewhere / "any.asf")
 
 
-def test_without_a_skeleton_the_bones_are_named(tmp_path: Path) -> None:
+def test_without_a_skeleton_the_default_one_is_imported_and_said(tmp_path: Path) -> None:
     copies(tmp_path, walk_DOT_amc="walk.amc")
+    ob = add_file(tmp_path / "walk.amc")
+    assert ob.name == "default"
+    assert len(ob.data.bones) == 31
+    assert ob.motion_theater.skeleton_source == ""
+    message = ob.motion_theater.message
+    assert "No skeleton was found; the built-in default skeleton is used: sizes are a guess" in message
+    assert "Imported the default skeleton: 31 bones" in message
+    assert "Added walk.amc to 31 bones" in message
+
+
+def test_an_armature_that_does_not_fit_gives_no_way_to_a_guess(tmp_path: Path) -> None:
+    skeleton = (harness.TESTDATA / "human.asf").read_text().replace("lfemur", "tail")
+    (tmp_path / "skeletons").mkdir()
+    (tmp_path / "skeletons" / "animal.asf").write_text(skeleton)
+    bpy.ops.motion_theater.import_skeleton(filepath=str(tmp_path / "skeletons" / "animal.asf"))
+    copies(tmp_path / "deep" / "er", walk_DOT_amc="walk.amc")
+    before = harness.snapshot()
+    assert "lfemur" in harness.refusal(lambda: add_file(tmp_path / "deep" / "er" / "walk.amc"))
+    assert harness.snapshot() == before
+
+
+def test_without_any_skeleton_that_fits_the_bones_are_named(tmp_path: Path) -> None:
+    text = (harness.TESTDATA / "walk.amc").read_text().replace("lfemur", "tail")
+    (tmp_path / "walk.amc").write_text(text)
     before = harness.snapshot()
     message = harness.refusal(lambda: add_file(tmp_path / "walk.amc"))
     assert "needs its skeleton" in message

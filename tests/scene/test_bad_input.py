@@ -89,8 +89,15 @@ def test_a_bad_skeleton_leaves_nothing(tmp_path: Path, case: str) -> None:
     assert "bad.asf" in refused_unchanged(import_skeleton(path))
     motion = tmp_path / "wave.amc"
     motion.write_bytes(AMC)
-    refused_unchanged(add_track(motion))
     assert "bad.asf" in refused_unchanged(add_track(motion, skeleton=str(path)))
+
+
+def test_beside_a_bad_skeleton_the_default_one_stands_in_and_that_is_said(tmp_path: Path) -> None:
+    (tmp_path / "bad.asf").write_bytes(BAD_SKELETONS["a cycle"])
+    motion = tmp_path / "wave.amc"
+    motion.write_bytes(AMC)
+    add_track(motion)()
+    assert "default skeleton" in harness.armature().motion_theater.message
 
 
 @pytest.mark.parametrize("case", BAD_MOTIONS)

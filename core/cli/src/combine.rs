@@ -3,14 +3,15 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use motion_theater_core::error::words;
+use motion_theater_core::loaded::{Loaded, SkeletonFile};
 use motion_theater_core::recipe::{EntryKind, Recipe, RecipeEntry};
 use motion_theater_core::stack::{evaluate_on, on_skeleton, Entry, Source, ASSUMED_RATE_HZ};
 use motion_theater_core::{Motion, Skeleton};
 
 use crate::arguments::CombineOptions;
 use crate::console::Console;
-use crate::folder::words;
-use crate::load::{Loaded, SkeletonFile};
+use crate::load::{load, load_skeleton, moving, skeleton, warning};
 use crate::write::{of_motion, output_format};
 use crate::{report, Outcome};
 
@@ -49,7 +50,7 @@ fn combine(path: &Path) -> Result<Combined, String> {
     let recipe = Recipe::parse(&text, path).map_err(|error| error.to_string())?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let named = Some(&recipe.skeleton).filter(|name| !name.is_empty());
-    let named = named.map(|name| SkeletonFile::read(&folder.join(name))).transpose()?;
+    let named = named.map(|name| load_skeleton(&folder.join(name))).transpose()?;
 
     let entries: Vec<&RecipeEntry> = recipe.entries.iter().filter(|entry| entry.enabled).collect();
     let mut tracks = Vec::with_capacity(entries.len());
@@ -60,7 +61,7 @@ fn combine(path: &Path) -> Result<Combined, String> {
         });
     }
     let Some(first) = tracks.iter().flatten().next() else { return Err(wrong("the stack has no track".to_owned())) };
-    let skeleton = named.map_or_else(|| first.skeleton().cloned(), |named| Ok(named.skeleton))?;
+    let skeleton = named.map_or_else(|| skeleton(first).cloned(), |named| Ok(named.skeleton))?;
     let own_rate = entries.iter().zip(&tracks).find_map(|(entry, track)| rate_of(entry, track.as_ref()?));
     let rate_hz = Some(recipe.rate_hz).filter(|rate| *rate != 0.0).or(own_rate);
 
@@ -79,7 +80,10 @@ fn combine(path: &Path) -> Result<Combined, String> {
     // Where nobody said a rate, nobody is told one.
     motion.rate_hz = rate_hz;
     let label = |entry: usize| entries.get(entry).map(|entry| entry.label()).unwrap_or_default();
-    let notices = notices.into_iter().map(|notice| format!("{}: {}", label(notice.entry), notice.text)).collect();
+    let warnings =
+        tracks.iter().enumerate().filter_map(|(entry, track)| Some((entry, warning(track.as_ref()?)?.into())));
+    let notices = warnings.chain(notices.into_iter().map(|notice| (notice.entry, notice.text)));
+    let notices = notices.map(|(entry, text): (usize, String)| format!("{}: {text}", label(entry))).collect();
     let first = tracks.into_iter().flatten().next().ok_or_else(|| wrong("the stack has no track".to_owned()))?;
     Ok(Combined { first, skeleton, motion, notices })
 }
@@ -92,12 +96,12 @@ fn load_track(entry: &RecipeEntry, folder: &Path, stack: Option<&SkeletonFile>) 
     }
     let path = folder.join(&entry.source);
     if !entry.skeleton.is_empty() {
-        let own = SkeletonFile::read(&folder.join(&entry.skeleton))?;
-        return Loaded::read(&path, Some(&own));
+        let own = load_skeleton(&folder.join(&entry.skeleton))?;
+        return load(&path, Some(&own));
     }
     match stack {
-        Some(stack) => Loaded::read(&path, Some(stack)).or_else(|_| Loaded::read(&path, None)),
-        None => Loaded::read(&path, None),
+        Some(stack) => load(&path, Some(stack)).or_else(|_| load(&path, None)),
+        None => load(&path, None),
     }
 }
 
@@ -106,6 +110,6 @@ fn rate_of(entry: &RecipeEntry, track: &Loaded) -> Option<f64> {
 }
 
 fn source(track: &Loaded, skeleton: &Skeleton) -> Result<Arc<Source>, String> {
-    let (own, motion) = track.moving()?;
+    let (own, motion) = moving(track)?;
     Ok(Arc::new(Source::new(on_skeleton(skeleton, own, motion))))
 }

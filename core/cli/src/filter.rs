@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use motion_theater_core::combine::{KeySpacing, Span};
 use motion_theater_core::filter::{Depth, FilterKind};
+use motion_theater_core::loaded::Loaded;
 use motion_theater_core::read::Format;
 use motion_theater_core::sample::Sampling;
 use motion_theater_core::stack::{evaluate_on, on_skeleton, Entry, FilterEntry, Source, Track, ASSUMED_RATE_HZ};
@@ -12,7 +13,7 @@ use motion_theater_core::{Markers, Motion, Skeleton};
 
 use crate::arguments::FilterOptions;
 use crate::console::Console;
-use crate::load::{Loaded, SkeletonFile};
+use crate::load::{load, moving, named_skeleton};
 use crate::write::{of_markers, of_motion, output_format, Files};
 use crate::{report, Outcome, WrongUse};
 
@@ -20,8 +21,8 @@ use crate::{report, Outcome, WrongUse};
 pub fn run(options: &FilterOptions, console: &Console) -> Outcome {
     let format = output_format(&options.output)?;
     let depth = Depth::try_from(options.depth).map_err(|error| WrongUse(error.to_string()))?;
-    let given = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
-    let done = Loaded::read(&options.input, given.as_ref()).and_then(|loaded| {
+    let given = named_skeleton(options.skeleton.as_deref())?;
+    let done = load(&options.input, given.as_ref()).and_then(|loaded| {
         let files = filter(&loaded, options, depth, format)?;
         files.store()?;
         console.say(&files.verdict(&options.input));
@@ -38,11 +39,11 @@ fn filter(loaded: &Loaded, options: &FilterOptions, depth: Depth, format: Format
         filtered.filter(&chosen.unwrap_or_else(|| (0..markers.count()).collect()), kind, depth);
         return of_markers(loaded, &filtered, format, &options.output);
     }
-    let (skeleton, motion) = loaded.moving()?;
+    let (skeleton, motion) = moving(loaded)?;
     let chosen = chosen(loaded, "bone", skeleton.bones.iter().map(|bone| bone.name.as_str()), options)?;
     let filtered = filtered(skeleton, motion, kind, depth, chosen)
         .map_err(|error| format!("{}: {error}", loaded.path.display()))?;
-    of_motion(loaded, skeleton, &filtered, format, &options.output)
+    Ok(of_motion(loaded, skeleton, &filtered, format, &options.output)?.warning_of(loaded))
 }
 
 /// Returns which bones or markers are meant; `None` for all.

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use motion_theater_core::error::words;
 use motion_theater_core::read::Format;
 
 /// What a path stands for.
@@ -53,17 +54,4 @@ fn collect(
 /// Returns the format that a path's extension says.
 pub fn format_of(path: &Path) -> Option<Format> {
     Format::from_extension(path.extension()?.to_str()?)
-}
-
-/// Returns the files of a folder itself; none where it cannot be listed.
-pub fn files_in(folder: &Path) -> Vec<PathBuf> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let entries = folder.read_dir().into_iter().flatten().filter_map(Result::ok);
-    entries.map(|entry| entry.path()).filter(|path| path.is_file()).collect()
-}
-
-/// Returns what the system says of an error, without its number.
-pub fn words(error: &std::io::Error) -> String {
-    let text = error.to_string();
-    text.split(" (os error").next().unwrap_or_default().to_owned()
 }

@@ -4,14 +4,15 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use motion_theater_core::loaded::{Loaded, Pairing};
 use motion_theater_core::markers::Event;
+use motion_theater_core::upright::axis_name;
 use serde::Serialize;
 
 use crate::arguments::InfoOptions;
 use crate::console::Console;
 use crate::folder::{look, Found};
-use crate::load::{Loaded, SkeletonFile};
-use crate::upright::axis_name;
+use crate::load::{load, named_skeleton};
 use crate::{in_order, Failures, Outcome};
 
 /// What is in one file; the fields of the JSON object. What a file does not have, or could not be read, is null.
@@ -56,7 +57,7 @@ impl Happening {
 
 /// Runs the command.
 pub fn run(options: &InfoOptions, console: &Console, stop: &AtomicBool) -> Outcome {
-    let skeleton = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
+    let named = named_skeleton(options.skeleton.as_deref())?;
     let mut failures = Failures::default();
     let mut files: Vec<Result<PathBuf, (PathBuf, String)>> = Vec::new();
     for path in &options.files {
@@ -70,7 +71,7 @@ pub fn run(options: &InfoOptions, console: &Console, stop: &AtomicBool) -> Outco
         }
     }
     let work = |file: &Result<PathBuf, (PathBuf, String)>| match file {
-        Ok(path) => match Loaded::read(path, skeleton.as_ref()) {
+        Ok(path) => match load(path, named.as_ref()) {
             Ok(loaded) => Info::of(loaded),
             Err(text) => Info::failed(path, text),
         },
@@ -99,10 +100,6 @@ impl Info {
     fn of(loaded: Loaded) -> Self {
         let skeleton = loaded.skeleton.as_ref();
         let (frames, rate_hz) = (loaded.frame_count(), loaded.rate_hz());
-        let mut notices = loaded.notices.clone();
-        if let Some((path, reason)) = loaded.found.as_ref().filter(|(_, reason)| !reason.is_empty()) {
-            notices.push(format!("Took {}, because {reason}", path.display()));
-        }
         let markers = loaded.clip.markers.as_ref();
         Self {
             path: loaded.path.display().to_string(),
@@ -120,8 +117,8 @@ impl Info {
             unit_m: skeleton.map(|skeleton| skeleton.unit.metres).or(markers.map(|markers| markers.unit.metres)),
             up: skeleton.map(|skeleton| skeleton.up).or(markers.map(|markers| markers.up.axis)).map(axis_name),
             height_m: skeleton.map(|skeleton| skeleton.height() * skeleton.unit.metres),
-            skeleton: loaded.found.map(|(path, _)| path.display().to_string()),
-            notices,
+            skeleton: loaded.pairing.as_ref().and_then(Pairing::path).map(|path| path.display().to_string()),
+            notices: loaded.notices,
             error: None,
         }
     }

@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
+use motion_theater_core::loaded::Loaded;
 use motion_theater_core::markers::{Markers, PointKind};
+use motion_theater_core::upright::to_z_up;
 use serde::Serialize;
 
 use crate::arguments::PoseOptions;
 use crate::console::Console;
-use crate::load::{Loaded, SkeletonFile};
+use crate::load::{load, moving, named_skeleton, skeleton, warning};
 use crate::points::{points, positions};
-use crate::upright::to_z_up;
 use crate::{report, Outcome};
 
 /// The fields of the JSON object; a marker that is not seen has no position.
@@ -22,12 +23,14 @@ struct PoseReport {
     positions_m: Vec<Option<[f64; 3]>>,
     /// In the file's own axes and units.
     positions_file: Vec<Option<[f64; 3]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    warning: Option<&'static str>,
 }
 
 /// Runs the command.
 pub fn run(options: &PoseOptions, console: &Console) -> Outcome {
-    let skeleton = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
-    let pose = Loaded::read(&options.file, skeleton.as_ref()).and_then(|loaded| pose_at(&loaded, options.frame));
+    let named = named_skeleton(options.skeleton.as_deref())?;
+    let pose = load(&options.file, named.as_ref()).and_then(|loaded| pose_at(&loaded, options.frame));
     Ok(report(
         console,
         pose.map(|pose| {
@@ -54,9 +57,9 @@ fn pose_at(loaded: &Loaded, frame: Option<f64>) -> Result<PoseReport, String> {
         return seen_at(&loaded.path, markers, frame);
     }
     if loaded.frame_count() > 0 {
-        loaded.moving()?;
+        moving(loaded)?;
     }
-    let skeleton = loaded.skeleton()?;
+    let skeleton = skeleton(loaded)?;
     let points = points(&loaded.clip, skeleton);
     let positions = positions(&points, skeleton, loaded.motion.as_ref(), frame);
     let to_metres = to_z_up(skeleton.up) * skeleton.unit.metres;
@@ -66,6 +69,7 @@ fn pose_at(loaded: &Loaded, frame: Option<f64>) -> Result<PoseReport, String> {
         names: points.into_iter().map(|point| point.name).collect(),
         positions_m: positions.iter().map(|at| Some((to_metres * *at).to_array())).collect(),
         positions_file: positions.iter().map(|at| Some(at.to_array())).collect(),
+        warning: warning(loaded),
     })
 }
 
@@ -86,6 +90,7 @@ fn seen_at(path: &Path, markers: &Markers, frame: f64) -> Result<PoseReport, Str
         names: markers.names.clone(),
         positions_m: all.clone().map(|marker| Some(marker).filter(is_place).and_then(place)).collect(),
         positions_file: all.map(|marker| Some(seen(marker)?.to_array())).collect(),
+        warning: None,
     })
 }
 
@@ -104,6 +109,9 @@ impl PoseReport {
     fn print(&self, console: &Console) {
         let width = self.names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
         console.say(&format!("{}: frame {}, metres, Z up", self.path, self.frame));
+        if let Some(warning) = self.warning {
+            console.say(&format!("  {warning}"));
+        }
         for (name, position) in self.names.iter().zip(&self.positions_m) {
             let text = match position {
                 Some([x, y, z]) => format!("{x:10.4} {y:10.4} {z:10.4}"),

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::folder::words;
+use motion_theater_core::error::words;
 
 /// Writes a file under another name and renames it then, so that whoever looks sees the old file or the new one. Makes the
 /// folders that it lies in.

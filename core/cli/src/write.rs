@@ -9,14 +9,16 @@ use motion_theater_core::formats::c3d::{C3d, Encoding, Processor, Storage};
 use motion_theater_core::formats::csm::Csm;
 use motion_theater_core::formats::trc::Trc;
 use motion_theater_core::formats::AngleUnit;
-use motion_theater_core::markers::{Markers, PointKind};
+use motion_theater_core::loaded::Loaded;
+use motion_theater_core::markers::Markers;
 use motion_theater_core::read::Format;
 use motion_theater_core::stack::ASSUMED_RATE_HZ;
 use motion_theater_core::{Dof, Motion, ParameterError, Skeleton};
 
 use crate::folder::format_of;
 use crate::joints_as_markers::joints_as_markers;
-use crate::load::Loaded;
+use crate::left_out::left_out;
+use crate::load::{moving, skeleton, warning};
 use crate::store::store;
 use crate::WrongUse;
 
@@ -27,32 +29,40 @@ const TRACE_RAD: f64 = 0.1 * std::f64::consts::PI / 180.0;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Files {
     /// The one that was asked for comes last.
-    files: Vec<(PathBuf, Vec<u8>)>,
+    outputs: Vec<(PathBuf, Vec<u8>)>,
     /// What the format has no place for, a few words each.
     left_out: Vec<String>,
+    /// What must be told of the motion that they hold.
+    warning: Option<&'static str>,
 }
 
 impl Files {
     fn one(path: &Path, bytes: Vec<u8>) -> Self {
-        Self { files: vec![(path.to_owned(), bytes)], left_out: Vec::new() }
+        Self { outputs: vec![(path.to_owned(), bytes)], ..Self::default() }
     }
 
     /// Writes them, the one that was asked for last: where it is there, all are.
     pub fn store(&self) -> Result<(), String> {
-        self.files.iter().try_for_each(|(path, bytes)| store(path, bytes))
+        self.outputs.iter().try_for_each(|(path, bytes)| store(path, bytes))
     }
 
     /// Returns the paths, the one that was asked for first.
     pub fn paths(&self) -> impl Iterator<Item = &Path> {
-        self.files.iter().rev().map(|(path, _)| path.as_path())
+        self.outputs.iter().rev().map(|(path, _)| path.as_path())
     }
 
-    /// Returns what became of a file, on one line.
+    /// Tells with them what must be told of the skeleton that the motion was taken to have.
+    pub fn warning_of(self, loaded: &Loaded) -> Self {
+        Self { warning: warning(loaded), ..self }
+    }
+
+    /// Returns what became of a file: a line, and another one where there is something to be told.
     pub fn verdict(&self, input: &Path) -> String {
         let written: Vec<_> = self.paths().map(|path| path.display().to_string()).collect();
         let left_out =
             if self.left_out.is_empty() { String::new() } else { format!(" (left out: {})", self.left_out.join(", ")) };
-        format!("{} -> {}{left_out}", input.display(), written.join(", "))
+        let warning = self.warning.map(|text| format!("\n  {text}")).unwrap_or_default();
+        format!("{} -> {}{left_out}{warning}", input.display(), written.join(", "))
     }
 }
 
@@ -73,19 +83,20 @@ pub fn converted(loaded: &Loaded, format: Format, rate_hz: Option<f64>, output: 
     if let Some(markers) = &loaded.clip.markers {
         let Some(rate_hz) = rate_hz else { return of_markers(loaded, markers, format, output) };
         let changed = markers.resampled(rate_hz).map_err(resampled)?;
-        let mut files = of_markers(loaded, &changed, format, output)?;
-        if changed.analog.channels.len() < markers.analog.channels.len() && format == Format::C3d {
-            files.left_out.push(format!("{} analog channels", markers.analog.channels.len()));
-        }
-        return Ok(files);
+        return of_markers(loaded, &changed, format, output);
     }
     if loaded.frame_count() == 0 {
-        return of_motion(loaded, loaded.skeleton()?, &Motion::default(), format, output);
+        return of_motion(loaded, skeleton(loaded)?, &Motion::default(), format, output);
     }
-    let (skeleton, motion) = loaded.moving()?;
-    let Some(rate_hz) = rate_hz else { return of_motion(loaded, skeleton, motion, format, output) };
-    let known = Motion { rate_hz: loaded.rate_hz(), ..motion.clone() };
-    of_motion(loaded, skeleton, &known.resampled(rate_hz).map_err(resampled)?, format, output)
+    let (skeleton, motion) = moving(loaded)?;
+    let motion = match rate_hz {
+        None => motion,
+        Some(rate_hz) => {
+            let known = Motion { rate_hz: loaded.rate_hz(), ..motion.clone() };
+            &known.resampled(rate_hz).map_err(resampled)?
+        }
+    };
+    Ok(of_motion(loaded, skeleton, motion, format, output)?.warning_of(loaded))
 }
 
 /// Returns a motion that was made from that of a file, in a format; as markers, its joints.
@@ -115,7 +126,7 @@ pub fn of_motion(
             let amc = Amc::from_motion(&needed, &motion, AngleUnit::Degrees).to_bytes();
             let mut files = Files::one(output, amc);
             if loaded.clip.format != Format::Amc || needed != *skeleton {
-                files.files.insert(0, (output.with_extension("asf"), Asf::from_skeleton(&needed).to_bytes()));
+                files.outputs.insert(0, (output.with_extension("asf"), Asf::from_skeleton(&needed).to_bytes()));
             }
             Ok(files)
         }
@@ -137,7 +148,7 @@ fn without_traces(skeleton: &Skeleton, motion: &Motion) -> Motion {
     motion
 }
 
-/// Returns markers in a format, and says what it has no place for.
+/// Returns markers in a format, with what the file had and they do not.
 pub fn of_markers(loaded: &Loaded, markers: &Markers, format: Format, output: &Path) -> Result<Files, String> {
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let bytes = match format {
@@ -156,15 +167,5 @@ pub fn of_markers(loaded: &Loaded, markers: &Markers, format: Format, output: &P
             ));
         }
     };
-    let mut files = Files::one(output, bytes);
-    if format != Format::C3d {
-        let others = markers.kinds.iter().filter(|kind| **kind != PointKind::Position).count();
-        let counts = [
-            (others, "points that are no positions"),
-            (markers.events.len(), "events"),
-            (markers.analog.channels.len(), "analog channels"),
-        ];
-        files.left_out.extend(counts.iter().filter(|(count, _)| *count > 0).map(|(n, what)| format!("{n} {what}")));
-    }
-    Ok(files)
+    Ok(Files { left_out: left_out(&loaded.clip, markers, format), ..Files::one(output, bytes) })
 }

@@ -157,3 +157,28 @@ fn once_stopped_no_file_is_begun() {
     assert_eq!(run(arguments, &Console::new(std::io::sink(), std::io::sink()), &AtomicBool::new(true)), 0);
     assert!(!clips.has("out"));
 }
+
+#[test]
+fn what_markers_lose_is_said() {
+    let clips = Clips::new();
+    let recorded = include_bytes!("../../fuzz/corpus/c3d/intel_float.c3d");
+    clips.write("a.c3d", recorded);
+    let ended = clips.succeed("convert {}/a.c3d {}/same.c3d");
+    assert!(!ended.out.contains("left out"), "{}", ended.out);
+    assert_eq!(clips.read("same.c3d"), recorded);
+    let ended = clips.succeed("convert {}/a.c3d {}/slow.c3d --rate 30");
+    assert!(ended.out.ends_with("slow.c3d (left out: 2 analog channels, residuals)\n"), "{}", ended.out);
+    let ended = clips.succeed("filter {}/a.c3d {}/soft.c3d --kind median --depth 3");
+    assert!(!ended.out.contains("left out"), "{}", ended.out);
+    let ended = clips.succeed("convert {}/a.c3d {}/a.trc");
+    let lost = "1 point that is no position, 1 event, 2 analog channels, residuals";
+    assert!(ended.out.ends_with(&format!("a.trc (left out: {lost})\n")), "{}", ended.out);
+
+    // The group of its events under a name of its own: what programs keep there no other file of ours has.
+    let at = recorded.windows(5).position(|name| name == b"EVENT").unwrap();
+    let mut other = recorded.to_vec();
+    other[at..at + 5].copy_from_slice(b"OTHER");
+    clips.write("b.c3d", &other);
+    let ended = clips.succeed("convert {}/b.c3d {}/b.csm");
+    assert!(ended.out.ends_with("2 analog channels, residuals, parameters of OTHER)\n"), "{}", ended.out);
+}

@@ -44,10 +44,41 @@ fn a_bad_file_is_told_on_its_line_and_stops_no_other() {
     assert!(ended.out.contains("wave.amc: AMC, 120 frames at 60 Hz, 2.00 s, 29 joints, unit 0.056444 m, Y up\n"));
 }
 
+/// What is said where the built-in default skeleton stands in.
+const GUESS: &str = "No skeleton was found; the built-in default skeleton is used: sizes are a guess";
+
 #[test]
-fn an_amc_without_its_skeleton_is_told_of_and_has_no_pose() {
+fn an_amc_without_its_skeleton_is_taken_to_have_the_default_one_which_every_command_says() {
     let clips = Clips::new();
     clips.write("alone/deep/wave.amc", &clips.read("wave.amc"));
+    let info = clips.succeed("info --json {}/alone/deep/wave.amc").json().remove(0);
+    assert_eq!((info["unit_m"].as_f64(), &info["skeleton"]), (Some(0.0254 / 0.45), &serde_json::Value::Null));
+    assert!(info["notices"].as_array().unwrap().contains(&GUESS.into()), "{info}");
+
+    let pose = clips.succeed("pose --json {}/alone/deep/wave.amc").json().remove(0);
+    assert_eq!(pose["warning"], GUESS);
+    let table = clips.succeed("pose {}/alone/deep/wave.amc").out;
+    assert_eq!((table.lines().nth(1), table.lines().count()), (Some(format!("  {GUESS}").as_str()), 33));
+    clips.write("alone/stack.toml", b"[[entries]]\nsource = \"deep/wave.amc\"\n");
+    for command in [
+        "convert {}/alone/deep/wave.amc {}/alone/wave.bvh",
+        "filter {}/alone/deep/wave.amc {}/alone/soft.bvh --kind median --depth 3",
+        "combine {}/alone/stack.toml {}/alone/combined.bvh",
+    ] {
+        let out = clips.succeed(command).out;
+        assert_eq!(out.matches(GUESS).count(), 1, "{command}: {out}");
+    }
+    let asked = clips.succeed("pose --json {}/alone/deep/wave.amc --skeleton {}/human.asf").json().remove(0);
+    assert_eq!(asked.get("warning"), None);
+}
+
+#[test]
+fn an_amc_that_no_skeleton_fits_is_told_of_and_has_no_pose() {
+    let clips = Clips::new();
+    let other = String::from_utf8(clips.read("wave.amc")).unwrap().replace("lfemur", "lthigh");
+    clips.write("alone/deep/wave.amc", other.as_bytes());
+    let human = String::from_utf8(clips.read("human.asf")).unwrap().replace("lfemur", "lthigh");
+    clips.write("human.asf", human.as_bytes());
     let info = clips.succeed("info --json {}/alone/deep/wave.amc").json().remove(0);
     assert_eq!((&info["frames"], info["unit_m"].as_f64()), (&120.into(), None));
     let ended = clips.run("pose {}/alone/deep/wave.amc --json");

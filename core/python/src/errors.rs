@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
+use motion_theater_core::error::words;
+use motion_theater_core::loaded::LoadError;
 use motion_theater_core::{MisfitError, ParameterError, ParseError, Position, ReadError};
+use motion_theater_library::sidecar::SidecarError;
+use motion_theater_library::LibraryError;
 use pyo3::exceptions::{PyException, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -13,6 +17,7 @@ struct Types {
     parse: Py<PyType>,
     misfit: Py<PyType>,
     parameter: Py<PyType>,
+    library: Py<PyType>,
 }
 
 static TYPES: PyOnceLock<Types> = PyOnceLock::new();
@@ -28,6 +33,7 @@ fn types(py: Python<'_>) -> PyResult<&Types> {
             parse: new("ParseError", "A file is wrong; the text says where and why.")?,
             misfit: new("MisfitError", "A motion and a skeleton do not belong together.")?,
             parameter: new("ParameterError", "What was asked for makes no sense.")?,
+            library: new_type(&[&root], "LibraryError", "A library cannot be opened, read or written.")?.unbind(),
             root: root.unbind(),
         })
     })
@@ -52,6 +58,7 @@ pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
         ("ParseError", &types.parse),
         ("MisfitError", &types.misfit),
         ("ParameterError", &types.parameter),
+        ("LibraryError", &types.library),
     ] {
         module.add(name, class.bind(py))?;
     }
@@ -76,6 +83,35 @@ fn raise(
 /// A number or combination that makes no sense.
 pub fn parameter(error: &ParameterError) -> PyErr {
     Python::attach(|py| raise(py, |types| &types.parameter, error.to_string(), |_| Ok(())))
+}
+
+/// What can go wrong with a library.
+pub fn library(error: LibraryError) -> PyErr {
+    match error {
+        LibraryError::Io { path, source } => io(&path, &source),
+        LibraryError::Sidecar(error) => sidecar(error),
+        LibraryError::Asked(reason) => parameter(&ParameterError(reason)),
+        other => Python::attach(|py| raise(py, |types| &types.library, other.to_string(), |_| Ok(()))),
+    }
+}
+
+/// Why a sidecar could not be opened, edited or saved.
+pub fn sidecar(error: SidecarError) -> PyErr {
+    let text = error.to_string();
+    match error {
+        SidecarError::NotRead { path, source } => io(&path, &source),
+        SidecarError::NotSaved { path, source } => {
+            // Python puts the path behind what the system says.
+            let reason = format!("not saved, and left as it was: {}", words(&source));
+            match source.raw_os_error() {
+                Some(code) => PyOSError::new_err((code, reason, path)),
+                None => PyOSError::new_err(text),
+            }
+        }
+        SidecarError::Clip(error) => load(error),
+        SidecarError::Value(error) => parameter(&ParameterError(error.to_string())),
+        _ => Python::attach(|py| raise(py, |types| &types.library, text, |_| Ok(()))),
+    }
 }
 
 /// A motion and a skeleton that do not belong together; `path` is the motion's file.
@@ -113,11 +149,7 @@ pub fn parse(path: &str, error: &ParseError) -> PyErr {
 /// What the disk said, as the exception that Python itself would raise.
 pub fn io(path: &Path, error: &std::io::Error) -> PyErr {
     match error.raw_os_error() {
-        Some(code) => {
-            let words = error.to_string();
-            let words = words.split(" (os error").next().unwrap_or_default().to_owned();
-            PyOSError::new_err((code, words, path.to_path_buf()))
-        }
+        Some(code) => PyOSError::new_err((code, words(error), path.to_path_buf())),
         None => PyOSError::new_err(format!("{}: {error}", path.display())),
     }
 }
@@ -129,5 +161,17 @@ pub fn read(error: ReadError) -> PyErr {
         ReadError::Parse { path, error } => parse(&path.display().to_string(), &error),
         ReadError::Misfit { path, error } => misfit(&path.display().to_string(), error),
         other => PyValueError::new_err(other.to_string()),
+    }
+}
+
+/// Everything that reading a file with its skeleton can end in.
+pub fn load(error: LoadError) -> PyErr {
+    match error {
+        LoadError::Read(error) => read(error),
+        LoadError::Misfit { motion, error, .. } => misfit(&motion.display().to_string(), error),
+        other => Python::attach(|py| {
+            let fill = |value: &Bound<'_, PyAny>| value.setattr("bones", Vec::<String>::new());
+            raise(py, |types| &types.misfit, other.to_string(), fill)
+        }),
     }
 }

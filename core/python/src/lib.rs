@@ -15,8 +15,10 @@ mod errors;
 mod evaluation;
 mod filters;
 mod inference;
+mod library;
 mod markers;
 mod motion;
+mod pairing;
 mod recipe;
 mod rig;
 mod skeleton;
@@ -27,6 +29,7 @@ mod writing;
 fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     errors::add_to(module)?;
+    library::add_to(module)?;
     module.add_class::<skeleton::PySkeleton>()?;
     module.add_class::<motion::PyMotion>()?;
     module.add_class::<markers::PyMarkers>()?;
@@ -44,6 +47,7 @@ fn motion_theater(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(clip::read, module)?)?;
     module.add_function(wrap_pyfunction!(clip::read_bytes, module)?)?;
     module.add_function(wrap_pyfunction!(clip::format_of, module)?)?;
+    pairing::add_to(module)?;
     module.add_class::<inference::PyAnswer>()?;
     module.add_class::<inference::PyInference>()?;
     module.add_function(wrap_pyfunction!(inference::infer, module)?)?;

@@ -11,6 +11,7 @@ pub mod c3d;
 pub mod csm;
 mod fields;
 pub(crate) mod kind;
+mod rows;
 pub mod trc;
 
 /// The unit in which an Acclaim file gives angles.

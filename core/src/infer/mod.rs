@@ -14,6 +14,7 @@ use crate::skeleton::{LengthUnit, Skeleton};
 use body::Body;
 use glam::DVec3;
 
+pub(crate) use stance::frames_to_look_at;
 pub(crate) use unit::Reading;
 
 /// A value that was worked out.

@@ -8,7 +8,7 @@ use crate::skeleton::Skeleton;
 use glam::DVec3;
 
 /// How many frames of a motion are looked at, spread over all of it ...
-const MOST_FRAMES: usize = 48;
+const MOST_FRAMES: usize = 16;
 
 /// ... as long as that is not more than this many bones in all.
 const MOST_BONES: usize = 1_000_000;
@@ -36,6 +36,12 @@ const USUAL_UP: DVec3 = DVec3::Y;
 
 /// The axis towards which figures look in nearly all files.
 const USUAL_FACING: DVec3 = DVec3::Z;
+
+/// Returns the frames, counted from 0, that say how a figure stands. A motion of these alone is looked at as a whole.
+pub(crate) fn frames_to_look_at(frame_count: usize, bone_count: usize) -> impl Iterator<Item = usize> {
+    let most = MOST_FRAMES.min(MOST_BONES / bone_count.max(1)).min(frame_count);
+    (0..most).map(move |index| index * frame_count / most)
+}
 
 /// How a body stands at one moment.
 #[derive(Debug, Clone, Copy)]
@@ -65,11 +71,9 @@ impl<'a> Stances<'a> {
         let tails: Vec<_> = heads.iter().zip(&skeleton.bones).map(|(head, bone)| *head + bone.tail).collect();
         let rest = Stance::new(found, &heads, &tails);
         let frame_count = motion.map_or(0, |motion| motion.frame_count);
-        let most = MOST_FRAMES.min(MOST_BONES / skeleton.bones.len().max(1)).min(frame_count);
         let frames = motion.into_iter().flat_map(|motion| {
-            let frame = move |index: usize| motion.first_frame as f64 + (index * frame_count / most) as f64;
-            (0..most).filter_map(move |index| {
-                let pose = pose(skeleton, motion, frame(index));
+            frames_to_look_at(frame_count, skeleton.bones.len()).filter_map(move |frame| {
+                let pose = pose(skeleton, motion, motion.first_frame as f64 + frame as f64);
                 Stance::new(found, &pose.heads, &pose.tails)
             })
         });

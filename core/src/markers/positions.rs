@@ -105,6 +105,9 @@ impl Positions {
 
     /// Returns for every sample whether the marker was seen, marker after marker.
     pub fn valid(&self) -> Vec<bool> {
+        if let Values::Recorded(frames) = &self.values {
+            return frames.seen();
+        }
         (0..self.marker_count())
             .flat_map(|marker| (0..self.frame_count).map(move |frame| self.get(marker, frame).is_some()))
             .collect()

@@ -2,7 +2,7 @@
 
 use super::{Analog, Markers, Positions, Quality};
 use crate::error::ParameterError;
-use crate::sample::{lowpass_vectors, sample_vector, Sampling};
+use crate::sample::{lowpass_vectors, nearest_frame, sample_vector, Sampling};
 use glam::DVec3;
 
 /// The most samples (markers times frames) that resampling may make of markers that have fewer: about 6 GB.
@@ -16,6 +16,8 @@ impl Markers {
     /// itself, so that gaps stay. At the markers' own rate nothing changes.
     ///
     /// Frame 1 stays the moment 0 of the recording, which events count from; so the number of the first frame changes.
+    /// The first and the last frame are those nearest to the moments of the old ones, so the duration stays to half a frame
+    /// at either end; what lies outside shows the old ones.
     /// Residuals and analog signals, which belong to the old frames, are left out.
     ///
     /// # Errors
@@ -34,15 +36,16 @@ impl Markers {
         }
         let ratio = rate_hz / rate_hz_to;
         let (first, last) = ((self.first_frame - 1) as f64, (self.last_frame() - 1) as f64);
-        let new_first = (first / ratio - SLACK_FRAMES).ceil();
-        let new_count = ((last / ratio + SLACK_FRAMES).floor() - new_first + 1.0).max(0.0);
+        let new_first = nearest_frame(first / ratio);
+        let new_count = if self.frame_count() > 0 { nearest_frame(last / ratio) - new_first + 1.0 } else { 0.0 };
         let most = MOST_SAMPLES.max(self.count().saturating_mul(self.frame_count()));
         if new_count * self.count().max(1) as f64 > most as f64 {
             return Err(ParameterError(format!(
                 "at {rate_hz_to} frames per second there would be {new_count} frames, more than memory can be expected to hold"
             )));
         }
-        let at: Vec<f64> = (0..new_count as usize).map(|frame| (new_first + frame as f64) * ratio - first).collect();
+        let moments = (0..new_count as usize).map(|frame| (new_first + frame as f64) * ratio - first);
+        let at: Vec<f64> = moments.map(|moment| moment.clamp(0.0, last - first)).collect();
         let trajectories = (0..self.count()).flat_map(|marker| sampled(&self.positions.trajectory(marker), &at, ratio));
         let positions = if self.positions.as_f64().is_none() {
             Positions::of_f32(trajectories.flat_map(|at| at.as_vec3().to_array()).collect(), at.len())
@@ -105,6 +108,22 @@ mod tests {
         // The event lies on the second sample before and after.
         assert_eq!(markers.frame_of(&markers.events[0]), Some(12.0));
         assert_eq!(finer.frame_of(&finer.events[0]), Some(23.0));
+    }
+
+    #[test]
+    fn first_and_last_frame_are_nearest_to_the_old_ones_and_show_them() {
+        let mut markers = walk(&[&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]], Some(50.0));
+        // From 0.06 s to 0.22 s: at 30 Hz frames 1.8 to 6.6.
+        markers.first_frame = 4;
+        let slower = markers.resampled(30.0).unwrap();
+        assert_eq!((slower.first_frame, slower.last_frame()), (3, 8));
+        let found = xs(&slower);
+        assert!((found[1] - 2.0).abs() < 0.01, "{found:?}");
+        assert_eq!(found.last(), Some(&8.0));
+        // From 0.04 s to 0.2 s: at 30 Hz frames 1.2 to 6.
+        markers.first_frame = 3;
+        let slower = markers.resampled(30.0).unwrap();
+        assert_eq!((slower.first_frame, slower.last_frame(), xs(&slower)[0]), (2, 7, 0.0));
     }
 
     #[test]

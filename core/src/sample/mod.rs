@@ -11,6 +11,7 @@ mod rotation;
 mod vector;
 
 pub use lowpass::{lowpass_angles, lowpass_rotations, lowpass_values, lowpass_vectors};
+pub(crate) use resample::nearest_frame;
 pub use rotation::{align_hemispheres, angle_between, sample_rotation, slerp};
 pub use vector::{sample_angles, sample_value, sample_vector};
 

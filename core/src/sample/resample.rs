@@ -15,8 +15,9 @@ const MOST_POSES: usize = 1 << 26;
 impl Motion {
     /// Returns the same movement at another rate, low-passed first when going down.
     ///
-    /// Frame `k` of the result shows the moment `k / rate_hz_to` seconds after the first frame, so there are as many
-    /// frames as fit between the moments of the first and the last one. Between samples values follow
+    /// Frame `k` of the result shows the moment `k / rate_hz_to` seconds after the first frame. The last one is nearest to
+    /// the moment of the old last frame, so the duration stays to half a frame; what lies behind that moment shows it, as
+    /// on the stack. Between samples values follow
     /// [`Sampling::Smooth`]. Euler angles are [unwrapped](unwrap_angles) first. [`Motion::first_frame`] stays. At the
     /// motion's own rate the result equals it bit for bit.
     ///
@@ -43,12 +44,10 @@ impl Motion {
         Ok(Self { bones, first_frame: self.first_frame, frame_count, rate_hz: Some(rate_hz_to) })
     }
 
-    /// How many frames of the new rate fit between the moments of the first and the last frame.
+    /// How many frames of the new rate there are up to the one nearest to the moment of the last frame.
     fn frames_at(&self, rate_hz_from: f64, rate_hz_to: f64) -> Result<usize, ParameterError> {
-        /// A frame that misses the last moment by less than this part of a frame is rounding, not motion.
-        const SLACK_FRAMES: f64 = 1e-6;
         let Some(steps) = self.frame_count.checked_sub(1) else { return Ok(0) };
-        let new_frames = (steps as f64 * rate_hz_to / rate_hz_from + SLACK_FRAMES).floor() + 1.0;
+        let new_frames = nearest_frame(steps as f64 * rate_hz_to / rate_hz_from) + 1.0;
         let bones = self.bones.len().max(1);
         let most = MOST_POSES.max(bones.saturating_mul(self.frame_count));
         if new_frames * bones as f64 <= most as f64 {
@@ -60,6 +59,13 @@ impl Motion {
             )))
         }
     }
+}
+
+/// Returns the whole frame nearest to a moment in frames, the earlier one of two.
+pub(crate) fn nearest_frame(moment: f64) -> f64 {
+    /// What differs by less than this part of a frame is the same moment, rounded.
+    const SLACK_FRAMES: f64 = 1e-6;
+    (moment - SLACK_FRAMES).round()
 }
 
 impl BoneMotion {
@@ -119,16 +125,26 @@ mod tests {
             let motion = swing(601, 120.0).resampled(rate_hz).unwrap();
             let direct = swing(motion.frame_count, rate_hz);
             assert_eq!((motion.first_frame, motion.rate_hz), (17, Some(rate_hz)));
-            assert_eq!(motion.frame_count, (5.0 * rate_hz) as usize + 1);
+            assert_eq!(motion.frame_count, (5.0 * rate_hz).round() as usize + 1);
             assert_eq!(motion.bones[1], BoneMotion::default());
             let (bone, expected) = (&motion.bones[0], &direct.bones[0]);
             assert_eq!(bone.stretches, expected.stretches);
-            for frame in 0..motion.frame_count {
+            for frame in (0..motion.frame_count).take_while(|frame| *frame as f64 <= 5.0 * rate_hz) {
                 assert!(angle_between(bone.rotations[frame], expected.rotations[frame]) < 1e-3, "{rate_hz} {frame}");
                 assert!((bone.angles[frame][0] - expected.angles[frame][0]).abs() < 1e-3);
                 assert!(bone.translations[frame].distance(expected.translations[frame]) < 1e-9);
             }
         }
+    }
+
+    #[test]
+    fn the_last_frame_is_nearest_to_the_last_moment_and_shows_it() {
+        // 99 frames of 120 Hz are 0.825 s: at 24 Hz 19.8 frames, at 23 Hz 18.975, at 10 Hz 8.25, at 20 Hz 16.5.
+        for (rate_hz, last) in [(24.0, 20), (23.0, 19), (10.0, 8), (20.0, 16), (240.0, 198)] {
+            assert_eq!(swing(100, 120.0).resampled(rate_hz).unwrap().frame_count, last + 1, "{rate_hz}");
+        }
+        let slower = swing(100, 120.0).resampled(24.0).unwrap();
+        assert_eq!(slower.bones[0].translations.last(), swing(100, 120.0).bones[0].translations.last());
     }
 
     #[test]

@@ -7,11 +7,12 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::SystemTime;
 
+use motion_theater_core::loaded::{Pairing, SkeletonFile};
 use plan::{plan, Job};
 
 use crate::arguments::ConvertOptions;
 use crate::console::Console;
-use crate::load::{Loaded, SkeletonFile};
+use crate::load::{load, named_skeleton};
 use crate::write::converted;
 use crate::{in_order, Failures, Outcome};
 
@@ -25,7 +26,7 @@ enum Verdict {
 /// Runs the command.
 pub fn run(options: &ConvertOptions, console: &Console, stop: &AtomicBool) -> Outcome {
     let jobs = plan(options)?;
-    let skeleton = SkeletonFile::read_if_any(options.skeleton.as_deref())?;
+    let skeleton = named_skeleton(options.skeleton.as_deref())?;
     let (mut converted, mut skipped, mut failed) = (0, 0, 0);
     let work = |job: &Result<Job, String>| match job {
         Ok(job) => convert(job, options, skeleton.as_ref()).unwrap_or_else(Verdict::Failed),
@@ -64,9 +65,9 @@ fn convert(job: &Job, options: &ConvertOptions, skeleton: Option<&SkeletonFile>)
         let text = format!("{}: skipped, {} is newer (--force writes it anew)", input.display(), output.display());
         return Ok(Verdict::Skipped(text));
     }
-    let loaded = Loaded::read(input, skeleton)?;
+    let loaded = load(input, skeleton)?;
     let files = converted(&loaded, *format, options.rate, output)?;
-    let read = [Some(input.as_path()), loaded.found.as_ref().map(|(path, _)| path.as_path())];
+    let read = [Some(input.as_path()), loaded.pairing.as_ref().and_then(Pairing::path)];
     if let Some(path) = files.paths().find(|path| read.into_iter().flatten().any(|input| is_same(path, input))) {
         return Err(format!("{}: not written, for {} is read for it", input.display(), path.display()));
     }

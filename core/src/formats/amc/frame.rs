@@ -57,7 +57,7 @@ impl FrameLayout {
 
 /// Reads up to eighteen digits alone on a line.
 #[inline]
-fn frame_number(source: &[u8]) -> Option<(i64, &[u8])> {
+pub(super) fn frame_number(source: &[u8]) -> Option<(i64, &[u8])> {
     let length = source.iter().take(19).take_while(|byte| byte.is_ascii_digit()).count();
     let (digits, rest) = source.split_at_checked(length)?;
     if !(1..19).contains(&length) {

@@ -38,6 +38,11 @@ pub(super) fn read_header(lines: &mut Lines<'_>) -> Result<AmcHeader, ParseError
     }
 }
 
+/// Returns the skeleton's file as the beginning of a motion file names it; files get renamed, so it is only a hint.
+pub fn skeleton_hint(head: &[u8]) -> Option<String> {
+    read_header(&mut Lines::new(head)).ok()?.skeleton_hint
+}
+
 fn hint(line: &[u8]) -> Option<String> {
     let (start, rest) = line.split_at_checked(HINT.len())?;
     let path = rest.trim_ascii();

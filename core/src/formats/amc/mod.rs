@@ -16,11 +16,13 @@ mod frame;
 mod header;
 mod motion;
 mod read;
+mod skim;
 #[cfg(test)]
 mod tests;
 mod write;
 
 pub use build::with_dofs_for;
+pub use header::skeleton_hint;
 
 use super::AngleUnit;
 use crate::error::ParseError;

@@ -88,7 +88,7 @@ fn frame_number(words: &Words<'_>) -> Option<Result<i64, ParseError>> {
 }
 
 /// Reads the first frame: its bones become the file's bones.
-fn read_first_frame(lines: &mut Lines<'_>, amc: &mut Amc) -> Result<i64, ParseError> {
+pub(super) fn read_first_frame(lines: &mut Lines<'_>, amc: &mut Amc) -> Result<i64, ParseError> {
     const WANTED: &str = "the number of the first frame, alone on its line";
     let mut words = lines.next_words().ok_or_else(|| lines.ended(WANTED))?;
     let Some(number) = frame_number(&words) else { return Err(words.expect(WANTED)?.unexpected(WANTED)) };

@@ -19,6 +19,7 @@ mod motion;
 mod name;
 mod rows;
 mod skeleton;
+mod skim;
 #[cfg(test)]
 mod tests;
 mod tokens;

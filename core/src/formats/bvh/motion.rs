@@ -13,6 +13,9 @@ use rayon::prelude::*;
 /// The number of the first frame: a BVH has no numbers, and people count from 1.
 const FIRST_FRAME: i64 = 1;
 
+/// Fewer values than these are converted on one thread.
+const FEW_VALUES: usize = 1 << 14;
+
 /// How many names a sentence lists.
 const MOST_NAMES: usize = 5;
 
@@ -31,13 +34,14 @@ impl Bvh {
         });
         let columns: Vec<(&Joint, usize)> = self.joints.iter().zip(starts).collect();
         let width = self.width();
-        let bones = columns.into_par_iter().map(|(joint, start)| joint.motion(motion, width, start));
-        Some(Motion {
-            bones: bones.collect(),
-            first_frame: FIRST_FRAME,
-            frame_count: motion.frame_count,
-            rate_hz: motion.rate_hz(),
-        })
+        let of_joint = |(joint, start): (&Joint, usize)| joint.motion(motion, width, start);
+        // Few values are converted before another thread has woken up.
+        let bones = if motion.values.len() < FEW_VALUES {
+            columns.into_iter().map(of_joint).collect()
+        } else {
+            columns.into_par_iter().map(of_joint).collect()
+        };
+        Some(Motion { bones, first_frame: FIRST_FRAME, frame_count: motion.frame_count, rate_hz: motion.rate_hz() })
     }
 
     /// Returns the rest pose and the motion; what the format does not say is inferred from both.

@@ -13,6 +13,7 @@
 
 mod markers;
 mod read;
+mod skim;
 mod write;
 
 use crate::error::ParseError;

@@ -5,13 +5,11 @@ use crate::error::ParseError;
 use crate::formats::fields::words;
 use crate::formats::kind::{self, Kind};
 use crate::number::read_prefix;
+use crate::rate::HIGHEST_RATE_HZ;
 use crate::text::{decode, is_blank, Lines, Word, Words, LARGEST};
 
 /// The word in place of the coordinates of a marker that was not seen.
 pub(super) const DROPOUT: &str = "DROPOUT";
-
-/// Frame rates beyond this are damage.
-const HIGHEST_RATE_HZ: f64 = 1e6;
 
 pub(super) fn parse(source: &[u8]) -> Result<Csm, ParseError> {
     kind::check(source, Kind::Csm)?;

@@ -56,6 +56,7 @@ impl Trc {
             frame_numbers: (markers.first_frame..).take(frame_count).collect(),
             times: (0..frame_count).map(|frame| frame as f64 / rate).collect(),
             values: values.collect(),
+            broken_places: 0,
         }
     }
 }

@@ -8,15 +8,17 @@
 //!        TAB { TAB "X1" TAB "Y1" TAB "Z1" }
 //!        { NUMBER TAB TIME { TAB X TAB Y TAB Z } }
 //! ```
-//! A gap is three empty cells (or `NaN`). Real files have a blank line after the head or not, blanks or tabs at the ends
+//! A gap is three empty cells (or `NaN`); a place of which only a coordinate or two are there is none either. Real files have a blank line after the head or not, blanks or tabs at the ends
 //! of lines, no last line end, counts in the head that are wrong, rows that end where no more markers are seen, and
 //! columns without a name: unlabelled markers. Those are kept as markers without a name.
 
 mod markers;
 mod read;
+mod skim;
 mod write;
 
 use crate::error::ParseError;
+use crate::rate::HIGHEST_RATE_HZ;
 
 /// What a TRC file says, in its own units and order.
 #[derive(Debug, Clone, Default)]
@@ -33,6 +35,8 @@ pub struct Trc {
     pub times: Vec<f64>,
     /// Frame by frame x, y and z of every marker, as in the file; not numbers in a gap.
     pub values: Vec<f64>,
+    /// How many places had a coordinate or two and became gaps.
+    broken_places: usize,
 }
 
 impl Trc {
@@ -57,7 +61,8 @@ impl Trc {
             [first, .., last] if last > first => Some((self.times.len() - 1) as f64 / (last - first)),
             _ => None,
         };
-        rate.filter(|rate| *rate > 0.0 && *rate < 1e7).or_else(by_times)
+        let is_rate = |rate: &f64| *rate > 0.0 && *rate <= HIGHEST_RATE_HZ;
+        rate.filter(is_rate).or_else(|| by_times().filter(is_rate))
     }
 
     /// Returns what is odd in the file and what was done about it, a sentence each.
@@ -73,6 +78,9 @@ impl Trc {
         let unnamed = self.names.iter().filter(|name| name.is_empty()).count();
         if unnamed > 0 {
             notices.push(format!("{unnamed} of {} markers have no name", self.names.len()));
+        }
+        if self.broken_places > 0 {
+            notices.push(format!("Places without all three coordinates are taken as gaps: {}", self.broken_places));
         }
         let uneven = self.frame_numbers.windows(2).find_map(|pair| match pair {
             [before, after] if before.checked_add(1) != Some(*after) => Some((*before, *after)),

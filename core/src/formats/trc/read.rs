@@ -61,7 +61,7 @@ fn names_of(cells: Vec<String>) -> Vec<String> {
 }
 
 /// Goes past the line of `X1 Y1 Z1 ...`, where it is there.
-fn skip_axes(source: &[u8], lines: &mut Lines<'_>) {
+pub(super) fn skip_axes(source: &[u8], lines: &mut Lines<'_>) {
     let mut ahead = lines.clone();
     while let Some(line) = ahead.next_line() {
         let Some(first) = words(source, &line).next() else { continue };
@@ -115,6 +115,12 @@ impl Table<'_> {
             let missing = 3 - count % 3;
             self.trc.values.extend(std::iter::repeat_n(f64::NAN, missing));
             count += missing;
+        }
+        for place in self.trc.values.get_mut(start..).unwrap_or_default().as_chunks_mut::<3>().0 {
+            if place.iter().any(|x| x.is_nan()) && !place.iter().all(|x| x.is_nan()) {
+                *place = [f64::NAN; 3];
+                self.trc.broken_places += 1;
+            }
         }
         // Gaps at the end are what shorter rows have too.
         while count >= 3 && ends_with_gap(&self.trc.values) {

@@ -12,15 +12,19 @@ use glam::DVec3;
 /// At most so many frames are looked at.
 const LOOKS: usize = 16;
 
+/// Returns the frames, counted from 0, that say how large markers are. Markers on these alone are looked at as a whole.
+pub(crate) fn frames_to_look_at(frame_count: usize) -> impl Iterator<Item = usize> {
+    (0..frame_count).step_by(frame_count.div_ceil(LOOKS).max(1))
+}
+
 /// Returns how far the markers of a frame usually lie apart along x, y and z, the lowest and the highest coordinate;
 /// `None` where too few are seen.
 pub(crate) fn extents(positions: &Positions, kinds: &[PointKind]) -> Option<Extents> {
     const FEWEST: usize = 3;
-    let step = positions.frame_count().div_ceil(LOOKS).max(1);
     let markers: Vec<usize> =
         (0..kinds.len()).filter(|marker| kinds.get(*marker) == Some(&PointKind::Position)).collect();
     let mut frames: Vec<(DVec3, DVec3)> = Vec::with_capacity(LOOKS);
-    for frame in (0..positions.frame_count()).step_by(step) {
+    for frame in frames_to_look_at(positions.frame_count()) {
         let seen = markers.iter().filter_map(|marker| positions.get(*marker, frame)).filter(|at| *at != DVec3::ZERO);
         let (mut count, mut low, mut high) = (0, DVec3::INFINITY, DVec3::NEG_INFINITY);
         for at in seen {

@@ -51,18 +51,19 @@ pub(crate) fn unit(stated: &str, who: &str, extents: Option<Extents>) -> LengthU
     let length = |metres: f64| format!("the markers are {:.2} m across", size * metres);
     let is_guess = |(_, (_, metres, _)): &(usize, &(_, f64, _))| GUESSED_PERSON_M.contains(&(size * metres));
     let guess = UNITS.iter().enumerate().take(GUESSES).find(is_guess);
+    let stance = extents.map_or(Stance::Unclear, |extents| extents.tallest().1);
     let Some((_, stated_m, stated_words)) = known else {
         return guess.map_or_else(
             || unknown(size),
             |(index, (_, metres, words))| LengthUnit {
                 metres: *metres,
                 reason: format!("{words}: {}; the file does not say", length(*metres)),
-                is_certain: index < CERTAIN_GUESSES,
+                // What does not stand upright may be no person.
+                is_certain: index < CERTAIN_GUESSES && stance != Stance::Unclear,
             },
         );
     };
     let stated_size = size * stated_m;
-    let is_standing = extents.is_some_and(|extents| extents.tallest().1 == Stance::OnTheFloor);
     match guess {
         _ if PERSON_M.contains(&stated_size) => LengthUnit {
             metres: *stated_m,
@@ -70,11 +71,17 @@ pub(crate) fn unit(stated: &str, who: &str, extents: Option<Extents>) -> LengthU
             is_certain: true,
         },
         // What stands like a person is one; anything else may well be a hand or a hall.
-        Some((_, (_, metres, words))) if is_standing || !POSSIBLE_M.contains(&stated_size) => LengthUnit {
-            metres: *metres,
-            reason: format!("{words}: {}; {who} says {stated_words}, but then {}", length(*metres), length(*stated_m)),
-            is_certain: false,
-        },
+        Some((_, (_, metres, words))) if stance == Stance::OnTheFloor || !POSSIBLE_M.contains(&stated_size) => {
+            LengthUnit {
+                metres: *metres,
+                reason: format!(
+                    "{words}: {}; {who} says {stated_words}, but then {}",
+                    length(*metres),
+                    length(*stated_m)
+                ),
+                is_certain: false,
+            }
+        }
         _ => LengthUnit {
             metres: *stated_m,
             reason: format!("{stated_words}, as {who} says; but {}", length(*stated_m)),
@@ -106,6 +113,7 @@ mod tests {
             ("mm", tall(1700.0), 0.001, true, "millimetres, as the file says: the markers are 1.70 m across"),
             ("M ", tall(1.7), 1.0, true, "metres, as the file says: the markers are 1.70 m across"),
             ("", tall(1.7), 1.0, true, "metres: the markers are 1.70 m across; the file does not say"),
+            ("", wide(1.2), 1.0, false, "metres: the markers are 1.20 m across; the file does not say"),
             ("", tall(66.0), 0.0254, false, "inches: the markers are 1.68 m across; the file does not say"),
             ("mm", wide(200.0), 0.001, false, "millimetres, as the file says; but the markers are 0.20 m across"),
             (

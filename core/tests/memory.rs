@@ -52,6 +52,25 @@ fn claims(words: [u16; 6], processor: u8) -> Vec<u8> {
     bytes
 }
 
+/// Skeletons and motions that claim more than they hold.
+fn skeletons() -> [(&'static str, String); 6] {
+    let joint = |channels: &str| format!("ROOT a\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\n");
+    let head = "MOTION\nFrames: 4000000000\nFrame Time: 1e-9\n";
+    let open = "JOINT b { OFFSET 1 1 1 ".repeat(40);
+    let nested = format!("HIERARCHY\n{}{open}{}", joint("1 Xrotation"), "}".repeat(41));
+    let bone = |i| format!("begin\nname b{i}\ndirection 1 0 0\nlength 1\ndof rx ry rz\nlimits (-inf inf)\nend\n");
+    let bones: String = (0..10).map(bone).collect();
+    let children: String = (0..10).map(|i| format!(" b{i}")).collect();
+    [
+        ("frames.bvh", format!("HIERARCHY\n{}}}\n{head}{}", joint("1 Xrotation"), "1\n".repeat(400))),
+        ("channels.bvh", format!("HIERARCHY\n{}}}\n{head}1\n", joint("4000000000 Xrotation"))),
+        ("nested.bvh", format!("{nested}\n{head}1 2 3")),
+        ("bones.asf", format!(":units\nlength 1e-9\n:bonedata\n{bones}:hierarchy\nbegin\nroot{children}\nend\n")),
+        ("numbers.amc", (0..90_u64).map(|i| format!("{}\nroot 1 2\n", i * 99_999_999)).collect()),
+        ("width.amc", format!("1\nroot{}\n2\nroot 1\n", " 1".repeat(490))),
+    ]
+}
+
 #[test]
 fn a_file_of_a_kilobyte_takes_no_more_than_50_megabytes() {
     for most in [1, 255, 65_535] {
@@ -69,14 +88,15 @@ fn a_file_of_a_kilobyte_takes_no_more_than_50_megabytes() {
         }
     }
     let head = "PathFileType\t4\nDataRate\n60\nFrame#\tTime\n";
-    let wide = format!("{head}1\t1{}\t1\n{}", "\t".repeat(300), "1\t1\n".repeat(150));
+    let wide = format!("{head}1\t1{}\t1\t1\t1\n{}", "\t".repeat(300), "1\t1\n".repeat(150));
     let texts = [
         ("narrow.trc", format!("{head}{}", "1\t1\t1\t2\t3\n".repeat(100))),
         ("wide.trc", wide),
         ("names.csm", format!("$order {}\n$points", "a ".repeat(500))),
         ("dropouts.csm", format!("$order a\n$points\n{}", "1 DROPOUT\n".repeat(100))),
+        ("frames.csm", "$firstframe 1\n$lastframe 999999999999\n$order a\n$points\n1 DROPOUT\n".to_owned()),
     ];
-    for (name, text) in texts {
+    for (name, text) in texts.into_iter().chain(skeletons()) {
         let peak = peak_of_reading(text.as_bytes(), name);
         assert!(peak <= ALLOWED_BYTES, "{peak} bytes for {name}");
     }

@@ -1,0 +1,38 @@
+"""Reading a BVH: against the physical limit on the same bytes, two threads against one, and against pybvh."""
+
+from __future__ import annotations
+
+import importlib
+import tempfile
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+
+import motion_theater as mt
+from tests.bench.files import take
+from tests.bench.limit import times_ms
+from tests.bench.timing import Row, medians_s, ms
+from tests.bench.write_bvh import write_bvh
+
+
+def measure() -> Iterator[Row]:
+    """Yield the rows of the table."""
+    measured = take()
+    with tempfile.TemporaryDirectory() as folder:
+        bvh = measured.bvh or write_bvh(measured, Path(folder) / "same.bvh")
+        times = times_ms(bvh)
+        numbers, alone, together = times["numbers"], times["bvh"], times["threads"]
+        detail = f"{alone:.3g} ms, its numbers alone {numbers:.3g} ms"
+        yield Row("BVH bytes read, one thread, share of the limit", numbers / alone, 0.5, detail=detail)
+        detail = f"{together:.3g} ms, one {alone:.3g} ms"
+        yield Row("BVH bytes read, two threads against one", alone / together, 1.6, detail=detail)
+        yield _against_pybvh(bvh)
+
+
+def _against_pybvh(bvh: Path) -> Row:
+    """Both give the joints and all angles as arrays; ours works out unit, up axis and quaternions besides."""
+    pybvh = importlib.import_module("pybvh")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        ours_s, theirs_s = medians_s(lambda: mt.read(bvh), lambda: pybvh.read_bvh_file(bvh))
+    return Row("BVH file read, against pybvh", theirs_s / ours_s, 2.5, detail=f"{ms(ours_s)}, {ms(theirs_s)}")
