@@ -10,7 +10,7 @@ from bpy.props import BoolProperty, CollectionProperty, EnumProperty, StringProp
 from bpy_extras.io_utils import ImportHelper
 
 from .. import capture, properties
-from ..logic.batch import files
+from ..logic.batch import files, short
 from ..translations import text
 from . import import_file, target
 
@@ -157,11 +157,11 @@ class MOTION_THEATER_OT_import_motion_capture(
         def draw(popup: bpy.types.UIPopupMenu, _: Context) -> None:
             for number, line in enumerate(lines[:SHOWN_LINES]):
                 is_skipped = number < len(verdicts.skipped)
-                popup.layout.label(text=line, icon="ERROR" if is_skipped else "CHECKMARK", translate=False)
+                popup.layout.label(text=short(line), icon="ERROR" if is_skipped else "CHECKMARK", translate=False)
             if len(lines) > SHOWN_LINES:
                 popup.layout.label(text=text("{files} more, see the Info Log", files=files(len(lines) - SHOWN_LINES)))
 
-        context.window_manager.popup_menu(draw, title=verdicts.summary(), icon="INFO")
+        context.window_manager.popup_menu(draw, title=verdicts.counts(), icon="INFO")
         return self._told(context)
 
     def _put_away(self, context: Context) -> None:

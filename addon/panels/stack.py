@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import bpy
 
-from .. import rig, sources, stack
+from .. import markers, rig, sources, stack
 from ..logic import names
 from ..logic.messages import listing
 from ..operators import target
@@ -78,6 +78,10 @@ class MOTION_THEATER_PT_stack(bpy.types.Panel):
     bl_region_type = "UI"
     bl_category = "Motion"
     bl_label = "Motion Theater"
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        return markers.set_of(context) is None  # markers have their own panel, and no stack
 
     def draw(self, context: Context) -> None:
         layout = self.layout
