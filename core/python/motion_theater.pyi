@@ -35,6 +35,7 @@ __all__ = [
     "Notice",
     "ParameterError",
     "ParseError",
+    "Preview",
     "ResultChannel",
     "Rig",
     "Scan",
@@ -328,9 +329,9 @@ def format_of(path: str | PathLike[str]) -> str | None:
 class Figure:
     """A clip as points and lines over frames, in metres, Z up, at the place where the file has it.
 
-    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points are
-    those that are positions, the lines join neighbours that keep their distance. Arrays are float32, made anew on every
-    access."""
+    Of a skeleton the points are its joints and the ends of its last bones, the lines its bones; of markers the points
+    are those that are positions, the lines join neighbours that keep their distance, and groups of these. Arrays are
+    made anew on every access."""
 
     names: list[str]
     """One per point."""
@@ -355,9 +356,9 @@ class Figure:
     figure comes."""
 
     def segments(self, frame: float) -> NDArray[np.float32]:
-        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first and
-        after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a gap
-        has no length."""
+        """(lines * 2, 3) the ends of all lines, one line after the other, at a frame counted from 0; before the first
+        and after the last frame these hold. Between frames points go straight, which is meant for the eye. A line in a
+        gap has no length."""
 
     def dots(self, frame: float) -> NDArray[np.float32]:
         """(points that are seen, 3) at a frame, as in `segments`."""
@@ -371,12 +372,10 @@ class Figure:
     ) -> NDArray[np.float32]:
         """(lines * 2, 4) a colour for each end of each line, in the order of `segments`."""
 
-def load_figure(
-    path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None
-) -> Figure:
-    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of `skeletons_for`
-    is taken, or the default one. Where there are more frames than `longest`, every second, third, ... is taken, so that
-    the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
+def load_figure(path: str | PathLike[str], *, skeleton: Skeleton | None = None, longest: int | None = None) -> Figure:
+    """Read any supported file as a figure. `skeleton` is that of an AMC; without one the first that fits of
+    `skeletons_for` is taken, or the default one. Where there are more frames than `longest`, every second, third, ...
+    is taken, so that the figure moves at its speed. Raises `ParseError`, `MisfitError` or `OSError`."""
 
 @final
 class SkeletonCandidate:
@@ -691,6 +690,9 @@ class Library:
     ) -> Scan:
         """Begin a scan of folders of the library, or folders within them (None: all), and return at once."""
 
+    def check(self) -> list[str]:
+        """Look at every page of the database, and return what is wrong; nothing where all is well."""
+
     def count(self) -> int:
         """Return how many clips there are, missing and broken ones too."""
 
@@ -727,6 +729,24 @@ class Library:
         """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
         means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
         those of the system where they are not given."""
+
+    def still(self, id: int) -> NDArray[np.uint8] | None:
+        """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours
+        not multiplied by opacity. None where it has not been drawn (`scan`)."""
+
+    def strip(self, id: int) -> Preview | None:
+        """The liveliest seconds of a clip. None where it has not been drawn (`scan`)."""
+
+@final
+class Preview:
+    """A moving strip of a clip, at the speed of the clip."""
+
+    frames: NDArray[np.uint8]
+    """(frames, height, width, 4), as a `still`."""
+    rate_hz: float
+    """How many frames make a second."""
+    still_frame: int
+    """The file's own number of the frame that the still shows."""
 
 SIDECAR_LABELS: dict[str, str]
 """The fields of a sidecar in order: "last_change": "Last changed on"."""

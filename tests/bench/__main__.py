@@ -16,9 +16,20 @@ from tests.bench import (
     reading,
     reading_bvh,
     reading_c3d,
+    scanning,
 )
 
-PARTS = (reading, reading_bvh, reading_c3d, importing, importing_bvh, importing_markers, editing, filters_vs_scipy)
+PARTS = (
+    reading,
+    reading_bvh,
+    reading_c3d,
+    importing,
+    importing_bvh,
+    importing_markers,
+    editing,
+    filters_vs_scipy,
+    scanning,
+)
 
 
 def main() -> None:

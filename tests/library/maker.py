@@ -17,7 +17,7 @@ from tests.library.cutting import FEWEST_FRAMES, Take, takes
 from tests.library.damage import damaged_within, some_broken_files
 
 WEIGHTS = {"amc": 6, "bvh": 8, "c3d": 4, "csm": 1, "trc": 1}
-WORDS = "walk run jump turn dance fight sit stand climb fall throw catch wave limp march".split()
+WORDS = ("walk", "run", "jump", "turn", "dance", "fight", "sit", "stand", "climb", "fall", "throw", "wave")
 SKELETONS_PER_FOLDER = 2
 FILES_PER_FOLDER = 60
 WITHIN = "damaged within"

@@ -6,6 +6,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use motion_theater_core::filter::FilterKind;
 use motion_theater_core::read::Format;
 
+use crate::library::LibraryOptions;
+
 /// Motion capture: what is in it, other formats, poses, filters, stacks.
 #[derive(Debug, Parser)]
 #[command(name = "motion-theater", version, arg_required_else_help = true)]
@@ -26,6 +28,8 @@ pub enum Command {
     Filter(FilterOptions),
     /// Evaluate a stack file: tracks and filters, one over the other
     Combine(CombineOptions),
+    /// Keep a catalogue of all clips in folders
+    Library(LibraryOptions),
 }
 
 #[derive(Debug, Args)]

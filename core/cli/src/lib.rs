@@ -21,6 +21,7 @@ mod in_order;
 mod info;
 mod joints_as_markers;
 mod left_out;
+mod library;
 mod load;
 mod points;
 mod pose;
@@ -88,6 +89,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, console: &Console, sto
         Command::Pose(options) => pose::run(options, console),
         Command::Filter(options) => filter::run(options, console),
         Command::Combine(options) => combine::run(options, console),
+        Command::Library(options) => library::run(options, console, stop),
     };
     match outcome {
         Ok(Failures(false)) => SUCCESS,

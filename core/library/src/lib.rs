@@ -8,6 +8,7 @@
 //! | [`facts`] | what is in a file, without its samples |
 //! | [`figure`] | a clip as points and lines, ready to draw |
 //! | [`index_file`] | lists that describe the clips of a folder |
+//! | [`preview`] | how a clip looks: a still and a moving strip, drawn once and kept |
 //! | [`query`] | what is searched for, and which clips that are |
 //! | [`scan`] | folders compared with the database: what is new, changed, moved or gone |
 //! | [`sidecar`] | the `.i3d` beside a clip |
@@ -17,6 +18,7 @@ pub mod error;
 pub mod facts;
 pub mod figure;
 pub mod index_file;
+pub mod preview;
 pub mod query;
 pub mod scan;
 pub mod sidecar;

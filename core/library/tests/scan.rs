@@ -142,6 +142,28 @@ fn a_rescan_never_overwrites_what_the_user_wrote() {
 }
 
 #[test]
+fn a_sidecar_goes_before_the_file_and_the_user_before_both() {
+    let csm = "$Actor Ada\n$Rate 60\n$Order a\n$Points\n1 0 0 0\n2 0 0 1\n";
+    let stage = Stage::with(&[("a.csm", csm), ("a.i3d", "Subject: Grace\nCleaned: Yes\nDate: 2004-05-31\n")]);
+    assert_eq!(stage.scan().new, 1);
+    let clip = stage.clip("a.csm");
+    assert_eq!((clip.subject.as_deref(), clip.cleaned), (Some("Grace"), Some(true)));
+    assert_eq!(clip.recorded_on.as_deref(), Some("2004-05-31"));
+    assert_eq!(clip.sources[2], ("subject".to_owned(), "SIDECAR".to_owned()));
+    assert_eq!(stage.scan().total, 0);
+    stage.library.edit(&[clip.id], &texts(&[(Field::Subject, "Alan")])).unwrap();
+    stage.put("a.i3d", "Subject: Mary\n");
+    let progress = stage.scan();
+    assert_eq!((progress.total, progress.changed), (1, 0), "the motion is what it was");
+    let clip = stage.clip("a.csm");
+    assert_eq!((clip.subject.as_deref(), clip.cleaned), (Some("Alan"), None));
+    std::fs::remove_file(stage.path("a.i3d")).unwrap();
+    stage.library.edit(&[clip.id], &[Edit::Field(Field::Subject, None)]).unwrap();
+    assert_eq!(stage.scan().total, 1);
+    assert_eq!(stage.clip("a.csm").subject.as_deref(), Some("Ada"));
+}
+
+#[test]
 fn a_motion_is_paired_anew_when_its_skeleton_comes() {
     let stage = Stage::with(&[("01_01.amc", AMC)]);
     stage.scan();

@@ -37,26 +37,26 @@ pub fn lay_over<V: Value>(old: &Keys<V>, new: impl Fn(f64) -> Option<V>, manner:
     let Manner { track, blend_depth, blend, frame } = manner;
     let borders = Borders::find(old.range(), track, blend_depth);
     let (mut start, mut end) = borders.affected(track);
-    let grid: Vec<(f64, V)> = track.keys(start, end).into_iter().filter_map(|(at, x)| Some((at, new(x)?))).collect();
+    let grid = track.keys(start, end).into_iter().filter_map(|(at, x)| Some((at, new(x)?)));
+    let (frames, mut values): (Vec<f64>, Vec<V>) = grid.unzip();
     let (before, after) = old.outside(start, end);
 
-    let mut coming: Vec<V> = grid.iter().map(|&(_, value)| value).collect();
     if let Some(neighbour) = before.last().or(after.first()) {
-        V::go_on_from(&mut coming, neighbour.value, frame);
+        V::go_on_from(&mut values, neighbour.value, frame);
     }
-    let weights: Vec<f64> = grid.iter().map(|&(at, _)| borders.weight(at, track)).collect();
-    let mut values = crossfade(old, &grid, &coming, &weights, blend, frame);
+    let weights: Vec<f64> = frames.iter().map(|&at| borders.weight(at, track)).collect();
+    crossfade(old, &frames, &mut values, &weights, blend, frame);
     if let Some(neighbour) = before.last() {
         V::go_on_from(&mut values, neighbour.value, frame);
     }
 
-    let mut keys = Vec::with_capacity(before.len() + grid.len() + after.len());
+    let mut keys = Vec::with_capacity(before.len() + frames.len() + after.len());
     keys.extend_from_slice(before);
     if let Some(last) = before.last().copied() {
         let first_new = start;
         bridge(&mut keys, last, first_new, blend_depth.is_some(), &mut start);
     }
-    keys.extend(grid.iter().zip(values).map(|(&(frame, _), value)| Key {
+    keys.extend(frames.into_iter().zip(values).map(|(frame, value)| Key {
         frame,
         value,
         interpolation: Interpolation::Linear,
@@ -75,27 +75,27 @@ pub fn lay_over<V: Value>(old: &Keys<V>, new: impl Fn(f64) -> Option<V>, manner:
     Overlay { keys: Keys(keys), affected: (start, end), borders }
 }
 
-/// Mixes old and new where the weights ask for it; elsewhere the new value is taken as it is.
+/// Mixes the old into the new values where the weights ask for it; the others stay.
 fn crossfade<V: Value>(
     old: &Keys<V>,
-    grid: &[(f64, V)],
-    coming: &[V],
+    frames: &[f64],
+    values: &mut [V],
     weights: &[f64],
     blend: Blend,
     frame: &EulerFrame,
-) -> Vec<V> {
-    let mut values = coming.to_vec();
+) {
     let is_mixed = |index: &usize| weights[*index] < 1.0;
     let mut from = 0;
     while let Some(zone_start) = (from..weights.len()).find(is_mixed) {
         let zone_end = (zone_start..weights.len()).find(|index| !is_mixed(index)).unwrap_or(weights.len());
         let zone = zone_start..zone_end;
-        let was: Vec<V> = grid[zone.clone()].iter().map(|&(at, value)| old.at(at).unwrap_or(value)).collect();
-        let mixed = V::crossfade(&was, &coming[zone.clone()], &weights[zone.clone()], blend, frame);
-        values[zone].copy_from_slice(&mixed);
+        let coming = &mut values[zone.clone()];
+        let was: Vec<V> =
+            frames[zone.clone()].iter().zip(&*coming).map(|(&at, &value)| old.at(at).unwrap_or(value)).collect();
+        let mixed = V::crossfade(&was, coming, &weights[zone], blend, frame);
+        coming.copy_from_slice(&mixed);
         from = zone_end;
     }
-    values
 }
 
 /// Closes the gap after `last`, the last key of `keys`, up to the key at `next`.

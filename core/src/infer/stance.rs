@@ -8,7 +8,7 @@ use crate::skeleton::Skeleton;
 use glam::DVec3;
 
 /// How many frames of a motion are looked at, spread over all of it ...
-const MOST_FRAMES: usize = 48;
+const MOST_FRAMES: usize = 16;
 
 /// ... as long as that is not more than this many bones in all.
 const MOST_BONES: usize = 1_000_000;

@@ -17,12 +17,13 @@ pub use rows::ClipRow;
 pub use told::{Field, Source};
 
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use rusqlite::{Connection, OptionalExtension, Transaction, TransactionBehavior};
 
 use crate::error::LibraryError;
+use crate::preview::PreviewCache;
 
 /// Connections that are kept for the next call.
 const MOST_IDLE: usize = 4;
@@ -32,6 +33,7 @@ const MOST_IDLE: usize = 4;
 pub struct Library {
     path: PathBuf,
     idle: Mutex<Vec<Connection>>,
+    pub(crate) previews: OnceLock<Arc<PreviewCache>>,
 }
 
 impl Library {
@@ -45,12 +47,28 @@ impl Library {
             return Err(LibraryError::NotALibrary { path, found: "a folder" });
         }
         let connection = schema::connect(&path)?;
-        Ok(Self { path, idle: Mutex::new(vec![connection]) })
+        Ok(Self { path, idle: Mutex::new(vec![connection]), previews: OnceLock::new() })
     }
 
     /// Returns where the library lies: an absolute path.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Looks at every page of the database, and returns what is wrong, a sentence each; nothing where all is well.
+    ///
+    /// # Errors
+    /// Where the library cannot be read at all.
+    pub fn check(&self) -> Result<Vec<String>, LibraryError> {
+        self.read(|db| {
+            let mut pages = db.prepare("PRAGMA integrity_check")?;
+            let pages = pages.query_map((), |row| row.get(0))?.collect::<Result<Vec<String>, _>>()?;
+            let mut links = db.prepare("PRAGMA foreign_key_check")?;
+            let links = links
+                .query_map((), |row| Ok(format!("a row of {} without what it belongs to", row.get::<_, String>(0)?)))?;
+            let wrong = pages.into_iter().filter(|text| text != "ok").map(Ok).chain(links);
+            Ok(wrong.collect::<Result<_, _>>()?)
+        })
     }
 
     /// Reads with a connection of its own.

@@ -4,15 +4,18 @@ use std::path::PathBuf;
 
 use rusqlite::{Connection, OptionalExtension, Row};
 
+use serde::{Serialize, Serializer};
+
 use super::{paths, Library};
 use crate::error::LibraryError;
 
 /// Everything that is known of a clip. What nobody knows is `None`.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct ClipRow {
     /// The clip's number in this library: it stays, wherever the file moves.
     pub id: i64,
     /// Where the file is: an absolute path.
+    #[serde(serialize_with = "as_text")]
     pub path: PathBuf,
     /// The name of the file.
     pub name: String,
@@ -23,6 +26,7 @@ pub struct ClipRow {
     /// When the file was last changed, in nanoseconds since 1970.
     pub modified_ns: i64,
     /// The BLAKE3 hash of the file's bytes; `None` where they cannot be read.
+    #[serde(serialize_with = "as_digits")]
     pub content_hash: Option<[u8; 32]>,
     /// The format by its extension: `bvh`.
     pub format: String,
@@ -47,6 +51,7 @@ pub struct ClipRow {
     /// The axis that points up in the file: `Y`, `-Z`.
     pub up: Option<String>,
     /// The skeleton of a motion that has none of its own.
+    #[serde(serialize_with = "as_text_if_any")]
     pub skeleton_path: Option<PathBuf>,
     /// Why that skeleton, or why none.
     pub skeleton_reason: Option<String>,
@@ -78,6 +83,20 @@ pub struct ClipRow {
     pub segments: Vec<(i64, i64)>,
     /// Which source says the field that is in force, by the names of both: `("subject", "USER")`.
     pub sources: Vec<(String, String)>,
+}
+
+fn as_text<S: Serializer>(path: &std::path::Path, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&path.to_string_lossy())
+}
+
+#[allow(clippy::ref_option)] // So it is asked for.
+fn as_text_if_any<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
+    path.as_ref().map(|path| path.to_string_lossy()).serialize(serializer)
+}
+
+#[allow(clippy::ref_option)] // So it is asked for.
+fn as_digits<S: Serializer>(hash: &Option<[u8; 32]>, serializer: S) -> Result<S::Ok, S::Error> {
+    hash.map(|bytes| blake3::Hash::from(bytes).to_hex().to_string()).serialize(serializer)
 }
 
 impl Library {

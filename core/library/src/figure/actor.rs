@@ -1,5 +1,6 @@
 //! What is in a clip as points and lines, placed on the frames that are asked for and on no others.
 
+use super::bridges::bridges;
 use super::heading;
 use super::joints::{End, Joints};
 use super::sides::{sides, Side};
@@ -94,10 +95,9 @@ impl<'a> Actor<'a> {
         let pairs = neighbours(&markers.positions, &markers.kinds);
         let lines: Vec<[usize; 2]> =
             pairs.into_iter().filter_map(|(a, b)| Some([point_of(a)?, point_of(b)?])).collect();
-        let of_points = sides(names.iter().map(String::as_str));
-        let side_of = |point: usize| of_points.get(point).copied().unwrap_or_default();
-        Self {
-            sides: lines.iter().map(|[a, b]| side_of(*a).with(side_of(*b))).collect(),
+        let of_points: Vec<Side> = sides(names.iter().map(String::as_str));
+        let actor = Self {
+            sides: Vec::new(),
             names,
             lines,
             frame_count: markers.frame_count(),
@@ -105,8 +105,13 @@ impl<'a> Actor<'a> {
             rate_hz: known_rate(markers.rate_hz),
             to_metres: to_z_up(markers.up.axis) * markers.unit.metres,
             body: Body::Markers { markers, chosen },
-        }
-        .with_bones_and_sides_seen()
+        };
+        actor.with_bridges(&of_points).with_bones_and_sides_seen()
+    }
+
+    /// Returns whether the points are markers, and no joints.
+    pub(crate) fn is_markers(&self) -> bool {
+        matches!(self.body, Body::Markers { .. })
     }
 
     /// Adds where all points are on a frame counted from 0, in metres, Z up. What is not seen is not a number; a marker
@@ -136,6 +141,15 @@ impl<'a> Actor<'a> {
                 points.extend(chosen.iter().map(|marker| in_metres(seen(*marker).unwrap_or(DVec3::NAN))));
             }
         }
+    }
+
+    /// Joins groups of markers, and gives each line the side of its ends.
+    fn with_bridges(mut self, of_points: &[Side]) -> Self {
+        let looks: Vec<Vec<Vec3>> = evenly(self.frame_count, LOOKS).map(|frame| self.placed(frame)).collect();
+        self.lines.extend(bridges(&self.lines, of_points, &looks));
+        let side_of = |point: usize| of_points.get(point).copied().unwrap_or_default();
+        self.sides = self.lines.iter().map(|[a, b]| side_of(*a).with(side_of(*b))).collect();
+        self
     }
 
     /// Leaves out lines that are no bones, and finds sides by the way the figure goes where names say none.
@@ -171,7 +185,7 @@ fn known_rate(rate_hz: Option<f64>) -> f64 {
 }
 
 /// Returns whether a line keeps its length; one that is never seen as a whole may be one.
-fn is_bone([a, b]: [usize; 2], looks: &[Vec<Vec3>]) -> bool {
+pub(super) fn is_bone([a, b]: [usize; 2], looks: &[Vec<Vec3>]) -> bool {
     let lengths = looks.iter().filter_map(|points| Some(points.get(a)?.distance(*points.get(b)?)));
     let (mut shortest, mut longest) = (f32::INFINITY, 0_f32);
     for length in lengths.filter(|length| !length.is_nan()) {

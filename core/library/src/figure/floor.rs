@@ -21,7 +21,7 @@ pub(crate) fn bounds(points: &[Vec3]) -> Option<[Vec3; 2]> {
 
 /// Returns the height of the floor: the file's own zero where that is near the feet, as shares of how tall the figure
 /// is, and else as low as the figure comes.
-pub(super) fn floor<'a>(frames: impl Iterator<Item = &'a [Vec3]>) -> f32 {
+pub(crate) fn floor<'a>(frames: impl Iterator<Item = &'a [Vec3]>) -> f32 {
     let reaches: Vec<[Vec3; 2]> = frames.filter_map(bounds).collect();
     let mut lows: Vec<f32> = reaches.iter().map(|[low, _]| low.z).collect();
     let mut heights: Vec<f32> = reaches.iter().map(|[low, high]| high.z - low.z).collect();

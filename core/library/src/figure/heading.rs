@@ -47,3 +47,14 @@ pub(crate) fn middle(points: &[Vec3]) -> Option<Vec3> {
         .fold((Vec3::ZERO, 0.0), |(sum, count), point| (sum + *point, count + 1.0));
     (count > 0.0).then(|| sum / count)
 }
+
+/// Returns the direction of a figure's own left, level and of length 1; `None` where it has no sides, or lies on one.
+pub(crate) fn leftward(lines: &[[usize; 2]], sides: &[Side], points: &[Vec3]) -> Option<Vec3> {
+    let mean = |wanted: Side| {
+        let own = lines.iter().zip(sides).filter(|(_, side)| **side == wanted);
+        let ends: Vec<Vec3> =
+            own.flat_map(|(line, _)| line.map(|point| points.get(point).copied())).flatten().collect();
+        middle(&ends)
+    };
+    (mean(Side::Left)? - mean(Side::Right)?).with_z(0.0).try_normalize()
+}

@@ -1,7 +1,9 @@
 //! A clip as points and lines in metres, Z up, ready to draw.
 
 mod actor;
+mod bridges;
 mod floor;
+mod groups;
 mod heading;
 mod joints;
 mod segments;
@@ -10,14 +12,17 @@ mod sides;
 pub use actor::Actor;
 pub use sides::Side;
 
-pub(crate) use floor::bounds;
+pub(crate) use actor::evenly;
+pub(crate) use floor::{bounds, floor};
+pub(crate) use groups::Groups;
+pub(crate) use heading::{leftward, middle};
 
 use glam::Vec3;
 
 /// A clip as points and lines over frames, in metres, Z up, at the place where the file has it.
 ///
 /// Of a skeleton the points are its joints and the ends of its last bones, and the lines are its bones; of markers the
-/// points are the markers, and the lines join neighbours that keep their distance.
+/// points are the markers, and the lines join neighbours that keep their distance, and groups of these.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// One per point; that of an end is its bone's with `_End` behind it.
@@ -63,7 +68,7 @@ impl Figure {
             first_frame: actor.first_frame,
             rate_hz: actor.rate_hz / frame_step as f64,
             bounds,
-            floor: floor::floor(points.chunks(actor.names.len().max(1))),
+            floor: floor(points.chunks(actor.names.len().max(1))),
             points,
         }
     }
@@ -76,4 +81,4 @@ impl Figure {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

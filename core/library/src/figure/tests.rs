@@ -21,7 +21,7 @@ fn bone(name: &str, parent: Option<usize>, offset: [f64; 3], tail: [f64; 3]) -> 
 }
 
 /// In centimetres, Y up: hips with two thighs, as Acclaim has them: joints without length between.
-fn legs() -> Skeleton {
+pub(crate) fn legs() -> Skeleton {
     let bones = vec![
         bone("root", None, [0.0, 100.0, 0.0], [0.0; 3]),
         bone("lhipjoint", Some(0), [0.0; 3], [10.0, 0.0, 0.0]),
@@ -36,7 +36,7 @@ fn legs() -> Skeleton {
 }
 
 /// The root goes 1 m along Z per frame.
-fn walk(frame_count: usize) -> Motion {
+pub(crate) fn walk(frame_count: usize) -> Motion {
     let translations = (0..frame_count).map(|frame| DVec3::Z * 100.0 * frame as f64).collect();
     let root = BoneMotion { translations, ..BoneMotion::default() };
     let bones = std::iter::once(root).chain(std::iter::repeat_n(BoneMotion::default(), 7)).collect();
@@ -44,7 +44,7 @@ fn walk(frame_count: usize) -> Motion {
 }
 
 /// Marker after marker, frame after frame, in metres with Z up.
-fn markers(names: &[&str], trajectories: &[Vec<[f64; 3]>]) -> Markers {
+pub(crate) fn markers(names: &[&str], trajectories: &[Vec<[f64; 3]>]) -> Markers {
     let frame_count = trajectories.first().map_or(0, Vec::len);
     Markers {
         names: names.iter().map(|name| (*name).to_owned()).collect(),
@@ -124,6 +124,23 @@ fn a_line_with_an_end_in_a_gap_has_no_length() {
     assert_eq!(figure.segments(2.75)[0], [seen, Vec3::new(0.1, 0.0, 1.0)]);
     assert_eq!((figure.dots(2.0).len(), figure.dots(0.0).len()), (3, 4));
     assert_eq!(figure.sides[0], Side::Middle, "from left to right");
+}
+
+#[test]
+fn groups_of_markers_are_joined_into_one_figure() {
+    let still = |x: f64, z: f64| vec![[x, 0.0, z]; 6];
+    // Legs that swing against each other: no distance to the hips or to the other leg is kept to a twentieth.
+    let swing = |x: f64, y: f64, z: f64| (0..6).map(|frame| [x, y * f64::from(frame), z]).collect::<Vec<_>>();
+    let names = ["LHIP", "RHIP", "LKNE", "RKNE", "LANK", "RANK", "HEAD"];
+    let legs = [swing(0.1, 0.05, 0.5), swing(-0.1, -0.05, 0.5), swing(0.1, 0.05, 0.1), swing(-0.1, -0.05, 0.1)];
+    let all = [vec![still(0.1, 0.9), still(-0.1, 0.9)], legs.to_vec(), vec![still(0.01, 1.4)]].concat();
+    let figure = Figure::new(&Actor::of_markers(&markers(&names, &all)), None);
+    let mut groups = Groups::new(names.len());
+    for [a, b] in &figure.lines {
+        groups.join(*a, *b);
+    }
+    assert!((0..names.len()).all(|point| groups.of(point) == groups.of(0)), "{:?}", figure.lines);
+    assert!(!figure.lines.contains(&[2, 3]) && !figure.lines.contains(&[4, 5]), "the legs are apart");
 }
 
 #[test]

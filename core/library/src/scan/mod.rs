@@ -19,9 +19,9 @@ pub use progress::{Phase, Progress};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{sync_channel, Receiver, RecvTimeoutError};
+use std::sync::mpsc::{sync_channel, Receiver};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use plan::Plan;
 use progress::{count, State};
@@ -35,11 +35,11 @@ use crate::index_file;
 /// So many files are written in one transaction at most, ...
 const BATCH_FILES: usize = 256;
 
-/// ... and none waits longer than this to be written.
-const BATCH_TIME: Duration = Duration::from_millis(150);
+/// ... and so long the writer waits for more.
+const BATCH_TIME: Duration = Duration::from_millis(10);
 
 /// So many files that were read may wait for the writer.
-const MOST_WAITING: usize = 256;
+const MOST_WAITING: usize = 512;
 
 /// What a scan is to do.
 #[derive(Clone, Default)]
@@ -180,14 +180,9 @@ fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Resul
 /// Writes files as they come in, until there are no more.
 fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
     while let Ok(first) = receiver.recv() {
-        let mut batch = vec![first];
-        let deadline = Instant::now() + BATCH_TIME;
-        while batch.len() < BATCH_FILES {
-            match receiver.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
-                Ok(reading) => batch.push(reading),
-                Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
-            }
-        }
+        // Meanwhile the workers need not wake anyone for every file.
+        std::thread::sleep(BATCH_TIME);
+        let batch: Vec<Reading> = std::iter::once(first).chain(receiver.try_iter().take(BATCH_FILES)).collect();
         library.write(|db| {
             // Folders may come and go while a scan runs.
             let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;

@@ -8,7 +8,7 @@ use rusqlite::{params, Connection, OptionalExtension};
 
 use super::progress::{count, State};
 use super::skeletons::Skeletons;
-use super::walk::{begins_as_motion, files, Found, Step};
+use super::walk::{begins_as_motion, files, Found, Sidecars, Step};
 use crate::catalogue::paths;
 use crate::error::LibraryError;
 use crate::facts::READER;
@@ -28,6 +28,7 @@ pub(super) struct Plan {
     pub(super) skeletons: Skeletons,
     /// Lists that describe clips.
     pub(super) lists: Vec<PathBuf>,
+    sidecars: Sidecars,
 }
 
 /// What the library knows of a file at some path.
@@ -78,6 +79,7 @@ impl Plan {
         if may_be == Some(false) {
             return Ok(());
         }
+        let found = found.with_sidecar(&mut self.sidecars);
         let is_skeleton = is_skeleton(&found.path);
         if is_skeleton {
             self.skeletons.add(&found.path);
@@ -150,7 +152,7 @@ impl Plan {
         let mut listed: HashSet<PathBuf> = self.to_read.iter().map(|found| found.path.clone()).collect();
         let folders: HashSet<&Path> = other_skeletons.iter().filter_map(|path| path.parent()).collect();
         let mut rows = db.prepare_cached(
-            "SELECT path, size, modified_ns, skeleton_path FROM clip
+            "SELECT path, size, modified_ns, skeleton_path, sidecar_ns FROM clip
              WHERE format = 'amc' AND is_missing = 0 AND error IS NULL ORDER BY path",
         )?;
         let mut rows = rows.query(())?;
@@ -161,7 +163,7 @@ impl Plan {
             let is_other = skeleton.is_none_or(|skeleton| other_skeletons.contains(&skeleton)) || is_near();
             if is_other && !is_gone(&path) && listed.insert(path.clone()) {
                 count(&state.total);
-                self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)? });
+                self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)?, sidecar_ns: row.get(4)? });
             }
         }
         Ok(())
@@ -185,9 +187,10 @@ impl Plan {
 
 fn known(db: &Connection, found: &Found) -> Result<Option<Known>, LibraryError> {
     let mut find = db.prepare_cached(
-        "SELECT id, size = ?2 AND modified_ns = ?3 AND facts_by = ?4, is_missing FROM clip WHERE path = ?1",
+        "SELECT id, size = ?2 AND modified_ns = ?3 AND facts_by = ?4 AND sidecar_ns IS ?5, is_missing FROM clip
+         WHERE path = ?1",
     )?;
-    let values = params![paths::to_text(&found.path), found.size, found.modified_ns, READER];
+    let values = params![paths::to_text(&found.path), found.size, found.modified_ns, READER, found.sidecar_ns];
     let known =
         |row: &rusqlite::Row<'_>| Ok(Known { id: row.get(0)?, is_unchanged: row.get(1)?, is_missing: row.get(2)? });
     Ok(find.query_row(values, known).optional()?)

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-use rusqlite::{params, Connection, OptionalExtension, Transaction};
+use rusqlite::{params, params_from_iter, Connection, OptionalExtension, ToSql, Transaction};
 
 use super::plan::{is_gone, Plan};
 use super::progress::{count, State};
@@ -64,16 +64,15 @@ pub(super) fn write(
             count(&state.new);
             put(db, INSERT, reading, root, &path, None)?;
             let id = db.last_insert_rowid();
-            if !says.is_empty() {
-                say(db, id, says)?;
-            }
+            tell(db, id, Source::File, &says.iter().map(some).collect::<Vec<_>>())?;
+            tell(db, id, Source::Sidecar, &reading.sidecar_says.iter().map(some).collect::<Vec<_>>())?;
         }
         Place::Same(id, is_changed) => {
             if is_changed {
                 count(&state.changed);
             }
             put(db, UPDATE, reading, root, &path, Some(id))?;
-            say(db, id, says)?;
+            say(db, id, says, &reading.sidecar_says)?;
         }
         Place::Moved(id) => {
             count(&state.moved);
@@ -81,7 +80,7 @@ pub(super) fn write(
                 state.missing.fetch_sub(1, Ordering::Relaxed);
             }
             put(db, UPDATE, reading, root, &path, Some(id))?;
-            say(db, id, says)?;
+            say(db, id, says, &reading.sidecar_says)?;
         }
     }
     Ok(())
@@ -108,25 +107,31 @@ fn place(db: &Connection, path: &str, reading: &Reading) -> Result<Place, Librar
     Ok(Place::New)
 }
 
-/// Replaces what the file itself says of a clip.
-fn say(db: &Connection, id: i64, says: &[(Field, String)]) -> Result<(), LibraryError> {
-    let value = |field: Field| says.iter().find(|(known, _)| *known == field).map(|(_, value)| value.clone());
-    tell(db, id, Source::File, &Field::ALL.map(|field| (field, value(field))))?;
+fn some((field, value): &(Field, String)) -> (Field, Option<String>) {
+    (*field, Some(value.clone()))
+}
+
+/// Replaces what the file itself and its sidecar say of a clip.
+fn say(db: &Connection, id: i64, file: &[(Field, String)], sidecar: &[(Field, String)]) -> Result<(), LibraryError> {
+    for (source, says) in [(Source::File, file), (Source::Sidecar, sidecar)] {
+        let value = |field: Field| says.iter().find(|(known, _)| *known == field).map(|(_, value)| value.clone());
+        tell(db, id, source, &Field::ALL.map(|field| (field, value(field))))?;
+    }
     put_in_force(db, id)
 }
 
 const INSERT: &str = "INSERT INTO clip (
         id, folder_id, path, name, folder, size, modified_ns, content_hash, format, frames, first_frame, rate_hz,
         duration_s, joints, markers, skeleton_fingerprint, height_m, unit_m, up, skeleton_path, skeleton_reason, notices,
-        error, facts_at, facts_by
+        error, facts_at, facts_by, sidecar_ns, subject, recorded_on, description, session_group, cleaned
     ) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18, ?19, ?20, ?21, ?22, ?23,
-        ?24, ?25)";
+        ?24, ?25, ?26, ?27, ?28, ?29, ?30, CAST(?31 AS INTEGER))";
 
 const UPDATE: &str = "UPDATE clip SET
         folder_id = ?2, path = ?3, name = ?4, folder = ?5, size = ?6, modified_ns = ?7, content_hash = ?8, format = ?9,
         frames = ?10, first_frame = ?11, rate_hz = ?12, duration_s = ?13, joints = ?14, markers = ?15,
         skeleton_fingerprint = ?16, height_m = ?17, unit_m = ?18, up = ?19, skeleton_path = ?20, skeleton_reason = ?21,
-        notices = ?22, error = ?23, facts_at = ?24, facts_by = ?25, is_missing = 0
+        notices = ?22, error = ?23, facts_at = ?24, facts_by = ?25, sidecar_ns = ?26, is_missing = 0
     WHERE id = ?1";
 
 fn put(
@@ -146,7 +151,7 @@ fn put(
     let format = facts.map(|facts| facts.format).or(failure.and_then(|failure| failure.format));
     let notices = facts.map_or_else(Vec::new, |facts| facts.notices.clone());
     let whole = |count: usize| i64::try_from(count).unwrap_or(i64::MAX);
-    db.prepare_cached(sql)?.execute(params![
+    let known = params![
         id,
         root.id,
         path,
@@ -172,7 +177,19 @@ fn put(
         failure.map(|failure| &failure.message),
         now(),
         READER,
-    ])?;
+        found.sidecar_ns,
+    ];
+    let mut statement = db.prepare_cached(sql)?;
+    if id.is_some() {
+        statement.execute(known)?;
+    } else {
+        // Nobody has said anything of a new clip but its sidecar and its file.
+        let says = reading.sidecar_says.iter().chain(facts.into_iter().flat_map(|facts| &facts.says));
+        let says = |field: Field| says.clone().find(|(said, _)| *said == field);
+        let said = Field::ALL.map(|field| says(field).map(|(_, value)| value));
+        let said = said.iter().map(|value| value as &dyn ToSql);
+        statement.execute(params_from_iter(known.iter().copied().chain(said)))?;
+    }
     Ok(())
 }
 

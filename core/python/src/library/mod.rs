@@ -3,6 +3,7 @@
 mod clip;
 mod edits;
 mod figure;
+mod preview;
 mod scan;
 mod search;
 mod sidecar;
@@ -14,12 +15,13 @@ use std::sync::Arc;
 
 use motion_theater_library::catalogue::Folder;
 use motion_theater_library::{Library, LibraryError};
-use numpy::{IntoPyArray, PyArray1};
+use numpy::{IntoPyArray, PyArray1, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors;
 use clip::PyLibraryClip;
+use preview::PyPreview;
 use scan::{PyScan, PyScanProgress};
 
 /// A catalogue of clips in a file.
@@ -44,6 +46,7 @@ pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyScan>()?;
     module.add_class::<PyScanProgress>()?;
     module.add_class::<figure::PyFigure>()?;
+    module.add_class::<preview::PyPreview>()?;
     module.add_function(wrap_pyfunction!(figure::load_figure, module)?)?;
     sidecar::add_to(module)
 }
@@ -92,6 +95,10 @@ impl PyLibrary {
         jobs: Option<usize>,
     ) -> PyResult<PyScan> {
         self.with(py, |library| scan::start(library, folders, with_previews, jobs))
+    }
+
+    fn check(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.with(py, |library| library.check())
     }
 
     fn count(&self, py: Python<'_>) -> PyResult<u32> {
@@ -150,6 +157,16 @@ impl PyLibrary {
     fn write_sidecar(&self, py: Python<'_>, id: i64, today: Option<String>, who: Option<String>) -> PyResult<OsString> {
         let (today, who) = sidecar::stamp_of(py, today, who)?;
         Ok(self.with(py, |library| library.write_sidecar(id, &today, &who))?.into_os_string())
+    }
+
+    fn still<'py>(&self, py: Python<'py>, id: i64) -> PyResult<Option<Bound<'py, PyArray3<u8>>>> {
+        let still = self.with(py, |library| library.still(id))?;
+        still.map(|still| preview::picture(py, still)).transpose()
+    }
+
+    fn strip(&self, py: Python<'_>, id: i64) -> PyResult<Option<PyPreview>> {
+        let strip = self.with(py, |library| library.strip(id))?;
+        strip.map(|strip| PyPreview::new(py, strip)).transpose()
     }
 
     fn __repr__(&self) -> String {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use motion_theater_library::scan::{Options, Progress, Scan};
+use motion_theater_library::scan::{Options, Previews, Progress, Scan};
 use motion_theater_library::{Library, LibraryError};
 use pyo3::prelude::*;
 
@@ -41,8 +41,9 @@ pub fn start(
     with_previews: bool,
     jobs: Option<usize>,
 ) -> Result<PyScan, LibraryError> {
-    let _ = with_previews;
-    Scan::start(library, &Options { folders, previews: None, jobs }).map(PyScan)
+    let previews = with_previews.then(|| library.previews()).transpose()?;
+    let previews = previews.map(|cache| Arc::clone(cache) as Arc<dyn Previews>);
+    Scan::start(library, &Options { folders, previews, jobs }).map(PyScan)
 }
 
 #[pymethods]

@@ -3,9 +3,7 @@
 use super::tokens::Tokens;
 use super::{hierarchy, rows, Bvh, BvhMotion};
 use crate::infer::frames_to_look_at;
-use crate::number;
 use crate::tally::Tally;
-use crate::text::LARGEST;
 
 impl Bvh {
     /// Reads the hierarchy and only those frames that say how the figure stands; also returns how many there are.
@@ -18,42 +16,39 @@ impl Bvh {
         let head = rows::read_head(&mut tokens).ok()?;
         let mut bvh = Self::new(joints, None);
         let width = bvh.width();
-        let frames = lines_of_numbers(source.get(tokens.at()..)?, width)?;
-        if width == 0 || head.frame_count != Some(frames.len() as u64) {
+        let text = source.get(tokens.at()..)?;
+        let declared = usize::try_from(head.frame_count?).ok()?;
+        let frames = lines_of_numbers(text, width, declared)?;
+        if width == 0 || frames.len() != declared {
             return None;
         }
-        let mut values = Vec::new();
-        let mut count = 0;
-        for frame in frames_to_look_at(frames.len(), bvh.joints.len()) {
-            let words = frames.get(frame)?.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-            for word in words {
-                values.push(number::read(word).filter(|value| value.abs() <= LARGEST)?);
-            }
-            count += 1;
+        let chosen: Vec<usize> = frames_to_look_at(frames.len(), bvh.joints.len()).collect();
+        let mut values = vec![0.0; chosen.len() * width];
+        for (frame, row) in chosen.iter().zip(values.chunks_exact_mut(width)) {
+            rows::read_row(text.get(*frames.get(*frame)?..)?, row)?;
         }
-        bvh.motion = Some(BvhMotion { frame_time_s: head.frame_time_s, frame_count: count, values });
+        bvh.motion = Some(BvhMotion { frame_time_s: head.frame_time_s, frame_count: chosen.len(), values });
         Some((bvh, frames.len()))
     }
 }
 
-/// Returns the lines of a text, blank ones left out, if all others look like so many numbers.
+/// Returns where the lines of a text begin, blank ones left out, if all others look like so many numbers.
 ///
 /// A carriage return within a line ends one too, but what it divides is one frame for the reader as well.
-fn lines_of_numbers(text: &[u8], width: usize) -> Option<Vec<&[u8]>> {
-    let mut lines = Vec::new();
-    let mut rest = text;
-    while !rest.is_empty() {
+fn lines_of_numbers(text: &[u8], width: usize, declared: usize) -> Option<Vec<usize>> {
+    // A value takes two bytes at least: what a file says of itself asks for no more memory than its size allows.
+    let mut lines = Vec::with_capacity(declared.min(text.len() / 2));
+    let mut at = 0;
+    while let Some(rest) = text.get(at..).filter(|rest| !rest.is_empty()) {
         let length = memchr::memchr(b'\n', rest).unwrap_or(rest.len());
-        let (line, later) = rest.split_at(length);
-        rest = later.get(1..).unwrap_or_default();
-        let tally = Tally::of(line);
-        if tally.words == 0 {
-            continue;
+        let tally = Tally::of(rest.get(..length)?);
+        if tally.words > 0 {
+            if !tally.is_numbers(width) {
+                return None;
+            }
+            lines.push(at);
         }
-        if !tally.is_numbers(width) {
-            return None;
-        }
-        lines.push(line);
+        at += length + 1;
     }
     Some(lines)
 }

@@ -17,6 +17,7 @@ CREATE TABLE clip (
     folder TEXT NOT NULL,
     size INTEGER NOT NULL,
     modified_ns INTEGER NOT NULL,
+    sidecar_ns INTEGER,
     content_hash BLOB CHECK (length(content_hash) = 32),
     format TEXT NOT NULL,
     frames INTEGER,

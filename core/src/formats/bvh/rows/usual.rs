@@ -67,21 +67,28 @@ fn read_lines(mut text: &[u8], width: usize, values: &mut [f64]) -> Option<usize
         if text.is_empty() {
             break;
         }
-        for value in row {
-            text = skip_blanks(text);
-            let (number, length) = read_prefix(text)?;
-            text = text.get(length..)?;
-            // Also refuses what is not finite, and a number that is the start of a longer word.
-            let is_usable = number.abs() <= LARGEST;
-            if !is_usable || !text.first().is_none_or(u8::is_ascii_whitespace) {
-                return None;
-            }
-            *value = number;
-        }
-        text = end_of_line(text)?;
+        text = read_row(text, row)?;
         count += 1;
     }
     text.trim_ascii_start().is_empty().then_some(count)
+}
+
+/// Fills a row with the numbers that a text begins with, and returns the text from the next line on. `None` where the line
+/// has fewer, more, or others.
+#[inline]
+pub(in super::super) fn read_row<'a>(mut text: &'a [u8], row: &mut [f64]) -> Option<&'a [u8]> {
+    for value in row {
+        text = skip_blanks(text);
+        let (number, length) = read_prefix(text)?;
+        text = text.get(length..)?;
+        // Also refuses what is not finite, and a number that is the start of a longer word.
+        let is_usable = number.abs() <= LARGEST;
+        if !is_usable || !text.first().is_none_or(u8::is_ascii_whitespace) {
+            return None;
+        }
+        *value = number;
+    }
+    end_of_line(text)
 }
 
 /// Moves the values of each part up to those before, where blank lines left room.
