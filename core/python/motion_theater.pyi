@@ -391,12 +391,14 @@ def skeletons_for(
     chosen: Sequence[str | PathLike[str]] = (),
     others: Sequence[str | PathLike[str]] = (),
 ) -> list[SkeletonCandidate]:
-    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
-    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
-    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+    """The skeleton files that may belong to a motion file, best first: those chosen together with it, the one
+    that its sidecar names, those of its folder and of the folder above, all others that are known.
+
+    The motion is only looked at for what it says of its skeleton, and no skeleton is opened: the first that fits is
+    meant (`Clip.bind`). Raises OSError."""
 
 def default_skeleton() -> Skeleton:
-    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human of root and 30 bones."""
+    """The skeleton that stands in for one that is not to be found: the usual Acclaim human, root and 30 bones."""
 
 DEFAULT_SKELETON_ASF: str
 """The same as an ASF file."""
@@ -693,6 +695,13 @@ class Library:
     def count(self) -> int:
         """Return how many clips there are, missing and broken ones too."""
 
+    def search(self, query: str = "", *, sort: str = "name", descending: bool = False) -> NDArray[np.int64]:
+        """Return the ids of the clips that a query gives, in order; docs/library.md, "Searching", says what it may hold.
+
+        `sort` is one of "name", "path", "date", "modified", "duration", "rate", "frames", "size", "rating", "used" and
+        "relevance"; equal ones follow by name, those of which it is not known stand at the end. Raises ParameterError
+        where a term means nothing: the text names it and says what would be right."""
+
     def clips(self, ids: Sequence[int]) -> list[LibraryClip]:
         """Return clips in the order of `ids`; those that are not there are left out."""
 
@@ -707,11 +716,19 @@ class Library:
     def set_segments(self, id: int, segments: Sequence[tuple[int, int]]) -> None:
         """Replace the usable pieces: first and last frame of each, in the file's own numbers."""
 
+    def import_index(self, path: str | PathLike[str], columns: dict[str, str] | None = None) -> int:
+        """Read a list that describes clips, such as CMU's, and return how many it describes: of the folder that it lies in
+        and those below, or of the whole library where it lies elsewhere.
+
+        `columns` maps "file", "subject", "trial", "description", "date", "group" and "cleaned" to what stands over these
+        columns; without it that is guessed. Raises ParameterError where the list does not say which clips it means."""
+
     def mark_used(self, id: int) -> None: ...
     def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
-        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
-        means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
-        those of the system where they are not given."""
+        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path.
+
+        What means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who`
+        are those of the system where they are not given."""
 
     def still(self, id: int) -> NDArray[np.uint8] | None:
         """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours
@@ -736,10 +753,11 @@ SIDECAR_LABELS: dict[str, str]
 
 @final
 class Sidecar:
-    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`. Labels in other words, another order,
-    missing lines and whatever else stands there are understood as far as they can be, and kept in place. Raises OSError
-    where it cannot be read or written, ParameterError for a value that a field cannot hold, LibraryError where someone else
-    changed the file meanwhile; the file is what it was then."""
+    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`.
+
+    Labels in other words, another order, missing lines and whatever else stands there are understood as far as they can
+    be, and kept in place. Raises OSError where it cannot be read or written, ParameterError for a value that a field
+    cannot hold, LibraryError where someone else changed the file meanwhile; the file is what it was then."""
 
     path: str
     is_on_disk: bool
@@ -756,8 +774,9 @@ class Sidecar:
     def set(self, field: str, value: str) -> None:
         """Edit one field; nothing is on disk before `save`. *Cleaned* is empty or one of J, Ja, Y, Yes, N, Nein, No."""
     def stamp(self, *, today: str | None = None, who: str | None = None) -> None:
-        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this. Both are those
-        of the system where they are not given."""
+        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this.
+
+        Both are those of the system where they are not given."""
     def save(self) -> None:
         """Write the file as a whole or not at all. Permissions, encoding and line ends stay."""
     def to_bytes(self) -> bytes:
@@ -771,8 +790,10 @@ def sidecar_cleaned(value: str) -> bool | None:
     ParameterError for anything else."""
 
 def sidecar_for(clip_path: str | PathLike[str]) -> Sidecar:
-    """Open the sidecar beside a clip, or make a new one with what the clip tells: date, subject, duration, frame rate and the
-    skeleton that was found. A new one is on disk only once it is saved."""
+    """Open the sidecar beside a clip, or make a new one with what the clip tells.
+
+    That is date, subject, duration, frame rate and the skeleton that was found. A new one is on disk only once it is
+    saved."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

@@ -31,6 +31,7 @@ use writer::Root;
 
 use crate::catalogue::{now, paths, Library};
 use crate::error::LibraryError;
+use crate::index_file;
 
 /// So many files are written in one transaction at most, ...
 const BATCH_FILES: usize = 256;
@@ -119,7 +120,7 @@ fn chosen(library: &Library, wanted: Option<&[PathBuf]>) -> Result<Vec<PathBuf>,
 
 fn run(library: &Library, folders: &[PathBuf], options: &Options, state: &State) -> Result<(), LibraryError> {
     let started_at = now();
-    let plan = library.read(|db| plan::make(db, folders, state))?;
+    let mut plan = library.read(|db| plan::make(db, folders, state))?;
     if state.is_cancelled() {
         return Ok(());
     }
@@ -131,6 +132,7 @@ fn run(library: &Library, folders: &[PathBuf], options: &Options, state: &State)
     if state.is_cancelled() {
         return Ok(());
     }
+    index_file::apply_all(library, std::mem::take(&mut plan.lists))?;
     library.write(|db| {
         for folder in folders {
             let text = paths::to_text(folder);

@@ -13,6 +13,7 @@ use super::walk::{begins_as_motion, files, Found, Step};
 use crate::catalogue::paths;
 use crate::error::LibraryError;
 use crate::facts::READER;
+use crate::index_file::is_index;
 
 /// What a walk over the folders says.
 ///
@@ -28,6 +29,8 @@ pub(super) struct Plan {
     pub(super) skeletons: Skeletons,
     /// The sidecars in the folders, whether changed or not.
     pub(super) sidecars: Vec<Found>,
+    /// Lists that describe clips.
+    pub(super) lists: Vec<PathBuf>,
 }
 
 /// What the library knows of a file at some path.
@@ -73,6 +76,9 @@ impl Plan {
         other_skeletons: &mut BTreeSet<PathBuf>,
         state: &State,
     ) -> Result<(), LibraryError> {
+        if is_index(&found.path) {
+            self.lists.push(found.path.clone());
+        }
         let may_be = found.may_be_motion();
         if may_be == Some(false) {
             return Ok(());

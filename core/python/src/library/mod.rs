@@ -5,15 +5,17 @@ mod edits;
 mod figure;
 mod preview;
 mod scan;
+mod search;
 mod sidecar;
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use motion_theater_library::catalogue::Folder;
 use motion_theater_library::{Library, LibraryError};
-use numpy::PyArray3;
+use numpy::{IntoPyArray, PyArray1, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -99,6 +101,18 @@ impl PyLibrary {
         self.with(py, |library| library.count())
     }
 
+    #[pyo3(signature = (query="", *, sort="name", descending=false))]
+    fn search<'py>(
+        &self,
+        py: Python<'py>,
+        query: &str,
+        sort: &str,
+        descending: bool,
+    ) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let (query, order) = search::understand(query, sort, descending)?;
+        Ok(self.with(py, |library| library.search(&query, order))?.into_pyarray(py))
+    }
+
     fn clips(&self, py: Python<'_>, ids: Vec<i64>) -> PyResult<Vec<PyLibraryClip>> {
         Ok(self.with(py, |library| library.clips(&ids))?.into_iter().map(PyLibraryClip::from).collect())
     }
@@ -119,6 +133,16 @@ impl PyLibrary {
 
     fn set_segments(&self, py: Python<'_>, id: i64, segments: Vec<(i64, i64)>) -> PyResult<()> {
         self.with(py, |library| library.set_segments(id, &segments))
+    }
+
+    #[pyo3(signature = (path, columns=None))]
+    fn import_index(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        columns: Option<BTreeMap<String, String>>,
+    ) -> PyResult<usize> {
+        self.with(py, |library| library.import_index(&path, columns.as_ref()))
     }
 
     fn mark_used(&self, py: Python<'_>, id: i64) -> PyResult<()> {
