@@ -25,8 +25,11 @@ impl WholeValue {
         }
     }
 
-    /// Returns whether `text` is what was asked for.
+    /// Returns whether `text` is what was asked for; a blank one never is, for it says nothing.
     pub(super) fn is_met_by(&self, text: &str) -> bool {
+        if text.trim().is_empty() {
+            return false;
+        }
         match self {
             Self::Number(digits) => without_zeros(text.trim()) == Some(digits),
             Self::Text(whole) => folded(text) == *whole,

@@ -173,14 +173,17 @@ impl Previews for PreviewCache {
 }
 
 fn connect(path: &Path) -> Result<Connection, LibraryError> {
-    let connection = Connection::open(path)?;
+    let mut connection = Connection::open(path)?;
     connection.busy_timeout(PATIENCE)?;
-    let number = |pragma: &str| connection.pragma_query_value(None, pragma, |row| row.get::<_, i32>(0));
+    // All questions are asked of one moment: another program may be making the table right now.
+    let moment = connection.unchecked_transaction()?;
+    let number = |pragma: &str| moment.pragma_query_value(None, pragma, |row| row.get::<_, i32>(0));
     let application = match number("application_id") {
         Err(error) if error.sqlite_error_code() == Some(ErrorCode::NotADatabase) => return Err(foreign(path)),
         number => number?,
     };
-    let tables: i64 = connection.query_row("SELECT count(*) FROM sqlite_schema", (), |row| row.get(0))?;
+    let tables: i64 = moment.query_row("SELECT count(*) FROM sqlite_schema", (), |row| row.get(0))?;
+    drop(moment);
     if application != APPLICATION_ID && (application != 0 || tables > 0) {
         return Err(foreign(path));
     }
@@ -188,8 +191,10 @@ fn connect(path: &Path) -> Result<Connection, LibraryError> {
     // What is lost when the machine fails is drawn again.
     connection.pragma_update(None, "synchronous", "OFF")?;
     if application != APPLICATION_ID {
-        connection.execute_batch(include_str!("preview.sql"))?;
-        connection.pragma_update(None, "application_id", APPLICATION_ID)?;
+        let whole = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
+        whole.execute_batch(include_str!("preview.sql"))?;
+        whole.pragma_update(None, "application_id", APPLICATION_ID)?;
+        whole.commit()?;
     }
     Ok(connection)
 }
