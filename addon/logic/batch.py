@@ -50,7 +50,8 @@ LONGEST_LINE = 110
 
 
 def short(line: str) -> str:
-    """Return a line that a pop-up has room for."""
+    """Return a line that a pop-up has room for: of a track that was added only that, which is said last."""
+    line = line[max(0, line.rfind("Added ")) :]
     return line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 1].rstrip()}…"
 
 
