@@ -57,10 +57,12 @@ class MOTION_THEATER_OT_sidecar_edit(bpy.types.Operator):
         except UserError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        for name, value in self._sidecar.fields.items():
+        self._found = dict(self._sidecar.fields)
+        for name, value in self._found.items():
             if not self.properties.is_property_set(name):
                 setattr(self, name, value)
-        return set(context.window_manager.invoke_props_dialog(self, width=DIALOG_WIDTH))
+        dialog = context.window_manager.invoke_props_dialog
+        return set(dialog(self, width=DIALOG_WIDTH, confirm_text=text("Save")))
 
     def execute(self, context: Context) -> set[str]:
         given = {name: getattr(self, name) for name in _NAMES if self.properties.is_property_set(name)}
@@ -70,9 +72,10 @@ class MOTION_THEATER_OT_sidecar_edit(bpy.types.Operator):
             is_written = sidecars.save(sidecar, given)
         except UserError as error:
             self.report({"ERROR"}, str(error))
-            if hasattr(self, "_sidecar"):
-                # The dialog is gone, what was typed is not: it opens again with that.
-                bpy.ops.motion_theater.sidecar_edit("INVOKE_DEFAULT", filepath=self.filepath, **given)
+            if hasattr(self, "_found"):
+                # The dialog is gone, what was typed is not: it opens again with that over what the file says now.
+                typed = {name: value for name, value in given.items() if value != self._found[name]}
+                bpy.ops.motion_theater.sidecar_edit("INVOKE_DEFAULT", filepath=self.filepath, **typed)
             return {"CANCELLED"}
         name = base_name(sidecar.path)
         self.report({"INFO"}, text("Saved {name}", name=name) if is_written else text("{name} is as it was", name=name))

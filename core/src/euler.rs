@@ -48,9 +48,7 @@ impl EulerOrder {
 
     /// Returns the rotation by `angles` (radians, indexed x, y, z): the first axis of the order is applied first.
     pub fn quat(self, angles: [f64; 3]) -> DQuat {
-        self.axes()
-            .into_iter()
-            .fold(DQuat::IDENTITY, |rotation, axis| DQuat::from_axis_angle(DVec3::AXES[axis], angles[axis]) * rotation)
+        self.axes().into_iter().fold(DQuat::IDENTITY, |rotation, axis| turned(rotation, axis, angles[axis]))
     }
 
     /// Returns angles in radians that give `rotation`, the middle one within a quarter turn.
@@ -98,6 +96,20 @@ impl EulerOrder {
     }
 }
 
+/// Returns the rotation, and then one about an axis (0 = x): half the work of a product of any two.
+#[inline]
+fn turned(rotation: DQuat, axis: usize, angle: f64) -> DQuat {
+    let (sine, cosine) = (angle * 0.5).sin_cos();
+    let DQuat { x, y, z, w } = rotation;
+    // The unit of that axis times the rotation.
+    let product = match axis {
+        0 => DQuat::from_xyzw(w, -z, y, -x),
+        1 => DQuat::from_xyzw(z, w, -x, -y),
+        _ => DQuat::from_xyzw(-y, x, w, -z),
+    };
+    rotation * cosine + product * sine
+}
+
 impl fmt::Display for EulerOrder {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
@@ -138,6 +150,18 @@ mod tests {
         let quarter = PI / 2.0;
         let turned = EulerOrder::Xyz.quat([quarter, quarter, 0.0]) * DVec3::Y;
         assert!((turned - DVec3::X).length() < 1e-12, "y -> (about x) z -> (about y) x, found {turned}");
+    }
+
+    #[test]
+    fn a_rotation_is_the_product_of_those_about_each_axis() {
+        for order in EulerOrder::ALL {
+            for angles in [[0.3, -1.2, 2.9], [0.0, PI, -0.5], [7.0, 0.0, 0.0], [0.0; 3]] {
+                let about = |axis: usize| DQuat::from_axis_angle(DVec3::AXES[axis], angles[axis]);
+                let [first, second, third] = order.axes().map(about);
+                let product = third * second * first;
+                assert!(order.quat(angles).abs_diff_eq(product, 1e-15), "{order} {angles:?}");
+            }
+        }
     }
 
     #[test]

@@ -99,18 +99,19 @@ impl Tally {
     }
 }
 
-/// Blanks (tabs and line ends among them).
+/// What separates words: blanks, line ends, and other bytes that are no text.
 #[inline(always)]
 fn is_space(byte: u8) -> bool {
-    (byte == b' ') | (byte.wrapping_sub(b'\t') < 5)
+    byte <= b' '
 }
 
 /// A byte that is part of no number, and no blank.
 #[inline(always)]
 fn is_other(byte: u8) -> bool {
-    // `+`, `-` and `.` with the comma among them, which is none.
-    let is_sign_or_point = (byte.wrapping_sub(b'+') < 4) & (byte != b',');
-    !(is_space(byte) | (byte.wrapping_sub(b'0') < 10) | is_sign_or_point | (byte | 0x20 == b'e'))
+    let is_blank = (byte == b' ') | (byte.wrapping_sub(b'\t') < 5);
+    // From `+` to `9` all but two belong to numbers.
+    let is_of_number = (byte.wrapping_sub(b'+') < 15) & (byte != b',') & (byte != b'/');
+    !(is_blank | is_of_number | (byte | 0x20 == b'e'))
 }
 
 #[cfg(test)]
@@ -127,7 +128,7 @@ mod tests {
             .filter(|byte| !(b"0123456789+-.eE".contains(byte) || BLANKS.contains(&(*byte as char))))
             .collect();
         Tally {
-            words: text.split(BLANKS).filter(|word| !word.is_empty()).count(),
+            words: text.split(|c| c <= ' ').filter(|word| !word.is_empty()).count(),
             lines: text.matches('\n').count(),
             points: text.matches('.').count(),
             others: others.len(),

@@ -1,8 +1,8 @@
 """From a BVH to an animated armature: against Blender's own importer on the same file, time and memory.
 
 Each import has a process of its own: memory that a process once took it seldom gives back. The large file is the real
-one with its frames repeated. Blender itself keeps every key twice, in the Action and in what is evaluated of it, 72 bytes
-each: that alone is most of what both take.
+one with its frames repeated. Blender itself keeps every key twice, in the Action and in what is evaluated of it, of
+72 bytes each: that alone is most of what both take.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from tests.bench.timing import Row, ms
 from tests.library.maker import make
 
 CLIPS = 3000
-SHARE = (0.3, 1.0)
+SHARE = (0.5, 1.0)
 """Clips are this much of the takes that they are cut from: as long as those that people keep."""
 THREADS = 2
 RUNS = 5

@@ -9,6 +9,9 @@ use std::collections::BTreeSet;
 /// How many neighbours a marker is joined with by itself; others may join it.
 const PER_MARKER: usize = 3;
 
+/// So many markers at a time are compared with all others.
+const ROWS: usize = 16;
+
 /// How long a line is at most, in sizes of the whole.
 const LONGEST: f64 = 0.35;
 
@@ -20,22 +23,51 @@ pub fn neighbours(positions: &Positions, kinds: &[PointKind]) -> Vec<(usize, usi
     let markers: Vec<usize> = (0..kinds.len()).filter(|at| kinds.get(*at) == Some(&PointKind::Position)).collect();
     let size = scale::extents(positions, kinds).map_or(f64::INFINITY, |extents| extents.size.max_element());
     let looks = Looks::new(positions, &markers);
-    let joined = (0..markers.len()).into_par_iter().flat_map_iter(|a| {
-        let looks = &looks;
-        (a + 1..markers.len()).filter_map(move |b| Some((looks.constant_distance(a, b, LONGEST * size)?, a, b)))
-    });
-    let mut joined: Vec<(f64, usize, usize)> = joined.collect();
-    joined.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let mut counts = vec![0; markers.len()];
-    let mut pairs = BTreeSet::new();
-    for (_, a, b) in joined {
-        if counts[a] < PER_MARKER || counts[b] < PER_MARKER {
-            pairs.insert((markers[a], markers[b]));
+    let rows = (0..markers.len()).into_par_iter().with_min_len(ROWS);
+    let nearest = rows.fold(
+        || vec![Nearest::default(); markers.len()],
+        |mut nearest, a| {
+            for b in a + 1..markers.len() {
+                if let Some(distance) = looks.constant_distance(a, b, LONGEST * size) {
+                    nearest[a].add(distance, b);
+                    nearest[b].add(distance, a);
+                }
+            }
+            nearest
+        },
+    );
+    let nearest = nearest.reduce(Vec::new, |some, others| {
+        if some.is_empty() {
+            return others;
         }
-        counts[a] += 1;
-        counts[b] += 1;
-    }
+        some.into_iter().zip(others).map(|(some, others)| some.with(&others)).collect()
+    });
+    let joined =
+        nearest.iter().enumerate().flat_map(|(a, near)| near.0.iter().map(move |(_, b)| (a.min(*b), a.max(*b))));
+    let pairs: BTreeSet<(usize, usize)> = joined.map(|(a, b)| (markers[a], markers[b])).collect();
     pairs.into_iter().collect()
+}
+
+/// The nearest of those that a marker may be joined with, with their distances, in order.
+#[derive(Debug, Clone, Default)]
+struct Nearest(Vec<(f64, usize)>);
+
+impl Nearest {
+    fn add(&mut self, distance: f64, other: usize) {
+        let before = |known: &(f64, usize)| known.0.total_cmp(&distance).then(known.1.cmp(&other)).is_lt();
+        let place = self.0.partition_point(before);
+        if place < PER_MARKER {
+            self.0.insert(place, (distance, other));
+            self.0.truncate(PER_MARKER);
+        }
+    }
+
+    fn with(mut self, others: &Self) -> Self {
+        for (distance, other) in &others.0 {
+            self.add(*distance, *other);
+        }
+        self
+    }
 }
 
 /// Where markers are on the frames that are looked at. All pairs of them are compared: they are taken out of the file's

@@ -22,6 +22,8 @@ mod field;
 mod lines;
 mod value;
 
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 pub use encoding::Encoding;
@@ -176,9 +178,13 @@ pub fn path_beside(clip: &Path) -> PathBuf {
 
 /// Reads the sidecar beside a clip, where there is one that can be read.
 pub fn read_beside(clip: &Path) -> Option<Sidecar> {
-    use std::io::Read;
+    read(&path_beside(clip))
+}
+
+/// Reads a sidecar, where it can be read.
+pub fn read(path: &Path) -> Option<Sidecar> {
     let mut bytes = Vec::new();
-    std::fs::File::open(path_beside(clip)).ok()?.take(MOST_BYTES).read_to_end(&mut bytes).ok()?;
+    File::open(path).ok()?.take(MOST_BYTES).read_to_end(&mut bytes).ok()?;
     Some(Sidecar::parse(&bytes))
 }
 

@@ -27,7 +27,10 @@ pub(super) fn connect(path: &Path) -> Result<Connection, LibraryError> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let mut connection = Connection::open_with_flags(path, flags)?;
     connection.busy_timeout(PATIENCE)?;
-    let version = version_of(&connection, path)?;
+    // Both of its questions are asked of one moment: another program may be making the tables right now.
+    let moment = connection.unchecked_transaction()?;
+    let version = version_of(&moment, path)?;
+    drop(moment);
     // Readers go on while someone writes.
     until_free(|| connection.pragma_update(None, "journal_mode", "WAL"))?;
     // With a write-ahead log a crash of a program loses nothing, and one of the machine at most the last moments.

@@ -12,13 +12,17 @@ pub(super) struct Limb {
     pub(super) points: Vec<usize>,
 }
 
-/// Returns the limbs of an actor; each line and each point is in one.
+/// More lines than this fill a small picture anyway, and more points.
+const MOST: usize = 3000;
+
+/// Returns the limbs of an actor; each line and each point is in one, but for what is beyond all measure.
 pub(super) fn limbs(actor: &Actor<'_>) -> Vec<Limb> {
-    let count = actor.names.len();
+    let count = actor.names.len().min(MOST);
     let mut limbs: BTreeMap<(i8, usize), Limb> = BTreeMap::new();
     let mut is_free = vec![true; count];
     for side in [Side::Middle, Side::Left, Side::Right] {
-        let own = || actor.lines.iter().zip(&actor.sides).filter(|(_, known)| **known == side).map(|(line, _)| *line);
+        let is_own = |(line, known): &(&[usize; 2], &Side)| **known == side && line.iter().all(|point| *point < count);
+        let own = || actor.lines.iter().zip(&actor.sides).take(MOST).filter(is_own).map(|(line, _)| *line);
         let mut groups = Groups::new(count);
         for [a, b] in own() {
             groups.join(a, b);

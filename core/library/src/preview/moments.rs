@@ -50,7 +50,7 @@ impl Moments {
         let count = actor.frame_count - start;
         // Whole frames only: nothing between frames is made up.
         let step = ((actor.rate_hz / RATE_HZ) as usize).max(1);
-        let length = ((STRIP_S * actor.rate_hz) as usize).clamp(1, MOST_FRAMES * step).min(count);
+        let length = ((STRIP_S * actor.rate_hz) as usize).clamp(1, step.saturating_mul(MOST_FRAMES)).min(count);
         let looks: Vec<Look> = evenly(count, LOOKS).map(|frame| Look::at(actor, start + frame)).collect();
         let from = liveliest(&looks, length).unwrap_or(start).min(start + count - length);
         let frames: Vec<usize> = (from..from + length).step_by(step).collect();
@@ -83,7 +83,8 @@ struct Look {
 impl Look {
     fn at(actor: &Actor<'_>, frame: usize) -> Self {
         let apart = ((SPEED_S * actor.rate_hz).round() as usize).max(1);
-        let other = if frame + apart < actor.frame_count { frame + apart } else { frame.saturating_sub(apart) };
+        let later = frame.saturating_add(apart);
+        let other = if later < actor.frame_count { later } else { frame.saturating_sub(apart) };
         let (here, there) = (actor.placed(frame), actor.placed(other));
         let seconds = (frame.abs_diff(other).max(1) as f64 / actor.rate_hz) as f32;
         let speed = distance(&around_middle(&here), &around_middle(&there)) / seconds;

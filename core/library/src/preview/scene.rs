@@ -58,7 +58,7 @@ impl<'a> Scene<'a> {
             self.draw_floor(frame, pose, floor, canvas);
         }
         let of_head: Vec<Vec3> = self.head.iter().filter_map(|point| pose.get(*point).copied()).collect();
-        let head = middle(&of_head).map(|at| self.camera.spot(frame, at));
+        let head = middle(&of_head).and_then(|at| self.camera.spot(frame, at));
         let mut shapes: Vec<Shape> = self.limbs.iter().map(|limb| self.shape(frame, pose, limb, head)).collect();
         shapes.extend(head.map(|at| Shape {
             near: at.near,
@@ -79,10 +79,7 @@ impl<'a> Scene<'a> {
     }
 
     fn shape(&self, frame: usize, pose: &[Vec3], limb: &Limb, head: Option<Spot>) -> Shape {
-        let spot = |point: usize| {
-            let at = pose.get(point).copied().filter(|at| !at.is_nan())?;
-            Some(self.camera.spot(frame, at))
-        };
+        let spot = |point: usize| self.camera.spot(frame, *pose.get(point)?);
         let lines: Vec<[Spot; 2]> =
             limb.lines.iter().filter_map(|[from, to]| Some([spot(*from)?, spot(*to)?])).collect();
         // What is inside of the head: a face of many joints.
@@ -107,7 +104,7 @@ impl<'a> Scene<'a> {
 
     /// Marks on the floor, which pass by where the camera follows; the way the figure goes; its shadow.
     fn draw_floor(&self, frame: usize, pose: &[Vec3], floor: f32, canvas: &mut Canvas) {
-        let on_floor = |at: Vec3| self.camera.spot(frame, at.with_z(floor)).at;
+        let on_floor = |at: Vec3| Some(self.camera.spot(frame, at.with_z(floor))?.at);
         let apart = MARKS * self.camera.figure;
         let anchor = self.camera.anchors.get(frame).copied().unwrap_or_default().with_z(0.0);
         let around = (anchor / apart).round();
@@ -115,12 +112,12 @@ impl<'a> Scene<'a> {
         let marks = reach.clone().flat_map(|x| reach.clone().map(move |y| Vec3::new(x as f32, y as f32, 0.0)));
         let marks = marks.map(|mark| (around + mark) * apart);
         let marks: Vec<Vec2> =
-            marks.filter(|mark| mark.distance(anchor) < MARKS_AROUND as f32 * apart).map(on_floor).collect();
+            marks.filter(|mark| mark.distance(anchor) < MARKS_AROUND as f32 * apart).filter_map(on_floor).collect();
         canvas.marks(&marks);
-        let way: Vec<Vec2> = self.way.iter().map(|at| on_floor(*at)).collect();
+        let way: Vec<Vec2> = self.way.iter().filter_map(|at| on_floor(*at)).collect();
         canvas.way(&way);
-        if let Some(under) = middle(pose) {
-            canvas.shadow(on_floor(under), 0.16 * self.camera.figure * self.camera.scale);
+        if let Some(under) = middle(pose).and_then(on_floor) {
+            canvas.shadow(under, 0.16 * self.camera.figure * self.camera.scale);
         }
     }
 }

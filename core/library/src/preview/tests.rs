@@ -1,7 +1,8 @@
 use super::*;
 use crate::figure::tests::{legs, markers, walk};
 use glam::{DQuat, DVec3};
-use motion_theater_core::{BoneMotion, Motion};
+use motion_theater_core::{Bone, BoneMotion, Motion};
+use proptest::prelude::*;
 
 /// Stands for two seconds, and then swings its left leg for one. It has the head that `legs` lack, for the height.
 fn kick() -> Motion {
@@ -41,7 +42,9 @@ fn is_empty(frames: &Frames) -> bool {
 
 #[test]
 fn a_figure_is_drawn_upright_within_the_picture() {
-    let (skeleton, motion) = (legs(), kick());
+    let (mut skeleton, motion) = (legs(), kick());
+    let head = Bone { name: "Head".to_owned(), offset: DVec3::Y * 60.0, ..skeleton.bones[6].clone() };
+    skeleton.bones.push(head);
     let picture = still(&draw(&Actor::of_skeleton(&skeleton, Some(&motion))));
     assert_eq!((picture.width, picture.height), (SIZE, SIZE));
     let opaque = |at: usize| picture.rgba[at * 4 + 3] > 200;
@@ -160,5 +163,34 @@ fn a_single_point_is_drawn_as_a_dot() {
         let one = markers(&["A"], &[vec![place; 3]]);
         let preview = draw(&Actor::of_markers(&one));
         assert!(!is_empty(&still(&preview)), "{place:?}");
+    }
+}
+
+#[test]
+fn more_bones_than_anybody_has_are_drawn_in_part() {
+    let mut skeleton = legs();
+    let last = skeleton.bones[5].clone();
+    skeleton.bones.extend((8..40_000).map(|index| Bone { parent: Some(index - 1), ..last.clone() }));
+    assert!(!is_empty(&still(&draw(&Actor::of_skeleton(&skeleton, None)))));
+}
+
+/// A coordinate as no laboratory has it, but a file may.
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![-2.0..2.0, Just(f64::NAN), Just(f64::INFINITY), -1e300..1e300, -1e-300..1e-300, Just(1e38)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    #[test]
+    fn whatever_the_numbers_are_there_are_pictures(
+        trajectories in prop::collection::vec(prop::collection::vec([coordinate(), coordinate(), coordinate()], 5), 1..6),
+        rate_hz in prop_oneof![Just(None), (1e-300..1e300_f64).prop_map(Some), (1.0..200.0_f64).prop_map(Some)],
+    ) {
+        let names: Vec<&str> = ["LA", "RA", "HEAD", "B", "C"].into_iter().take(trajectories.len()).collect();
+        let mut markers = markers(&names, &trajectories);
+        markers.rate_hz = rate_hz;
+        let preview = draw(&Actor::of_markers(&markers));
+        prop_assert_eq!(still(&preview).rgba.len(), SIZE * SIZE * 4);
+        prop_assert_eq!(strip(&preview).count, preview.strip_frames as usize);
     }
 }

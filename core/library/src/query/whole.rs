@@ -25,7 +25,7 @@ impl WholeValue {
         }
     }
 
-    /// Returns whether `text` is what was asked for; one that is empty says nothing.
+    /// Returns whether `text` is what was asked for; a blank one never is, for it says nothing.
     pub(super) fn is_met_by(&self, text: &str) -> bool {
         if text.trim().is_empty() {
             return false;

@@ -9,6 +9,7 @@ mod drawing;
 mod plan;
 mod progress;
 mod reading;
+mod sidecars;
 mod skeletons;
 mod walk;
 mod writer;
@@ -127,6 +128,7 @@ fn run(library: &Library, folders: &[PathBuf], options: &Options, state: &State)
     state.enter(Phase::Reading);
     let jobs = options.jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     read_all(library, &plan, jobs, state)?;
+    sidecars::take_in(library, folders, &plan.sidecars, state)?;
     if state.is_cancelled() {
         return Ok(());
     }
@@ -189,7 +191,7 @@ fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state
             let root =
                 |row: &rusqlite::Row<'_>| Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) });
             let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
-            batch.iter().try_for_each(|reading| writer::write(db, &roots, plan, reading, state))
+            writer::write_all(db, &roots, plan, &batch, state)
         })?;
     }
     Ok(())

@@ -7,8 +7,9 @@ use motion_theater_core::read::Format;
 use rusqlite::{params, Connection, OptionalExtension};
 
 use super::progress::{count, State};
+use super::sidecars;
 use super::skeletons::Skeletons;
-use super::walk::{begins_as_motion, files, Found, Sidecars, Step};
+use super::walk::{begins_as_motion, files, Found, Step};
 use crate::catalogue::paths;
 use crate::error::LibraryError;
 use crate::facts::READER;
@@ -26,9 +27,10 @@ pub(super) struct Plan {
     /// Clips that are gone.
     pub(super) gone: HashSet<i64>,
     pub(super) skeletons: Skeletons,
+    /// The sidecars in the folders, whether changed or not.
+    pub(super) sidecars: Vec<Found>,
     /// Lists that describe clips.
     pub(super) lists: Vec<PathBuf>,
-    sidecars: Sidecars,
 }
 
 /// What the library knows of a file at some path.
@@ -50,6 +52,7 @@ pub(super) fn make(db: &Connection, folders: &[PathBuf], state: &State) -> Resul
                 return Ok(plan);
             }
             match step {
+                Step::File(found) if sidecars::is_sidecar(&found.path) => plan.sidecars.push(found),
                 Step::File(found) => plan.look_at(db, found, &mut seen, &mut other_skeletons, state)?,
                 Step::Closed(folder) => closed.push(folder),
             }
@@ -60,6 +63,7 @@ pub(super) fn make(db: &Connection, folders: &[PathBuf], state: &State) -> Resul
     }
     plan.know_distant_skeletons(db, folders)?;
     plan.pair_anew(db, &other_skeletons, state)?;
+    plan.pair_by_sidecars(db, folders, state)?;
     Ok(plan)
 }
 
@@ -79,7 +83,6 @@ impl Plan {
         if may_be == Some(false) {
             return Ok(());
         }
-        let found = found.with_sidecar(&mut self.sidecars);
         let is_skeleton = is_skeleton(&found.path);
         if is_skeleton {
             self.skeletons.add(&found.path);
@@ -152,7 +155,7 @@ impl Plan {
         let mut listed: HashSet<PathBuf> = self.to_read.iter().map(|found| found.path.clone()).collect();
         let folders: HashSet<&Path> = other_skeletons.iter().filter_map(|path| path.parent()).collect();
         let mut rows = db.prepare_cached(
-            "SELECT path, size, modified_ns, skeleton_path, sidecar_ns FROM clip
+            "SELECT path, size, modified_ns, skeleton_path FROM clip
              WHERE format = 'amc' AND is_missing = 0 AND error IS NULL ORDER BY path",
         )?;
         let mut rows = rows.query(())?;
@@ -163,7 +166,22 @@ impl Plan {
             let is_other = skeleton.is_none_or(|skeleton| other_skeletons.contains(&skeleton)) || is_near();
             if is_other && !is_gone(&path) && listed.insert(path.clone()) {
                 count(&state.total);
-                self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)?, sidecar_ns: row.get(4)? });
+                self.to_read.push(Found { path, size: row.get(1)?, modified_ns: row.get(2)? });
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads motions again whose sidecars may name another skeleton now.
+    fn pair_by_sidecars(&mut self, db: &Connection, folders: &[PathBuf], state: &State) -> Result<(), LibraryError> {
+        let mut listed: HashSet<PathBuf> = self.to_read.iter().map(|found| found.path.clone()).collect();
+        for stale in sidecars::stale(db, folders, &self.sidecars)? {
+            for clip in sidecars::beside(db, &stale)? {
+                let is_motion = clip.format == Format::Amc.extension() && !is_gone(&clip.found.path);
+                if is_motion && listed.insert(clip.found.path.clone()) {
+                    count(&state.total);
+                    self.to_read.push(clip.found);
+                }
             }
         }
         Ok(())
@@ -187,10 +205,9 @@ impl Plan {
 
 fn known(db: &Connection, found: &Found) -> Result<Option<Known>, LibraryError> {
     let mut find = db.prepare_cached(
-        "SELECT id, size = ?2 AND modified_ns = ?3 AND facts_by = ?4 AND sidecar_ns IS ?5, is_missing FROM clip
-         WHERE path = ?1",
+        "SELECT id, size = ?2 AND modified_ns = ?3 AND facts_by = ?4, is_missing FROM clip WHERE path = ?1",
     )?;
-    let values = params![paths::to_text(&found.path), found.size, found.modified_ns, READER, found.sidecar_ns];
+    let values = params![paths::to_text(&found.path), found.size, found.modified_ns, READER];
     let known =
         |row: &rusqlite::Row<'_>| Ok(Known { id: row.get(0)?, is_unchanged: row.get(1)?, is_missing: row.get(2)? });
     Ok(find.query_row(values, known).optional()?)

@@ -6,14 +6,11 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 use motion_theater_core::read::Format;
-use motion_theater_core::sidecar::read_beside;
 
 use super::skeletons::{Paired, Skeletons};
 use super::walk::Found;
-use crate::catalogue::Field;
 use crate::error::words;
 use crate::facts::{self, Facts};
-use crate::sidecar::told;
 
 /// Every worker may hold a file of this size in memory; larger ones are read one at a time.
 const USUAL_BYTES: i64 = 64 << 20;
@@ -30,8 +27,6 @@ pub(super) struct Reading {
     /// The BLAKE3 hash of the bytes; `None` where they could not be read.
     pub(super) hash: Option<[u8; 32]>,
     pub(super) outcome: Result<(Facts, Option<Paired>), Failure>,
-    /// What the file's sidecar says of the clip.
-    pub(super) sidecar_says: Vec<(Field, String)>,
 }
 
 /// A file that cannot be used, and why.
@@ -60,30 +55,28 @@ impl<'a> Reader<'a> {
             let message = format!("the file is larger than {} GB, as no motion is", MOST_BYTES >> 30);
             let hash = hash_in_chunks(&found.path, buffer).ok();
             let outcome = Err(Failure { format: by_name(), message });
-            return Reading { sidecar_says: sidecar_says(&found), found, hash, outcome };
+            return Reading { found, hash, outcome };
         }
         buffer.clear();
         // What the disk listed may have changed since: the bytes that are read are the ones that count.
         let bytes = File::open(&found.path).and_then(|mut file| file.read_to_end(buffer));
         if let Err(error) = bytes {
             let outcome = Err(Failure { format: by_name(), message: words(&error) });
-            return Reading { sidecar_says: sidecar_says(&found), found, hash: None, outcome };
+            return Reading { found, hash: None, outcome };
         }
         let hash = Some(blake3::hash(buffer).into());
-        let outcome = self.facts(buffer, &found);
+        let outcome = self.facts(buffer, &found.path);
         if found.size > USUAL_BYTES {
             *buffer = Vec::new();
         }
-        Reading { sidecar_says: sidecar_says(&found), found, hash, outcome }
+        Reading { found, hash, outcome }
     }
 
-    fn facts(&self, source: &[u8], found: &Found) -> Result<(Facts, Option<Paired>), Failure> {
-        let path = found.path.as_path();
+    fn facts(&self, source: &[u8], path: &Path) -> Result<(Facts, Option<Paired>), Failure> {
         let failed = |message| Failure { format: Format::of(source, path), message };
         let skimmed = facts::skim(source, path);
         let (mut facts, clip) = skimmed.map_or_else(|| facts::read(source, path), Ok).map_err(failed)?;
-        let paired =
-            (facts.format == Format::Amc).then(|| self.skeletons.pair(path, &clip, found.sidecar_ns.is_some()));
+        let paired = (facts.format == Format::Amc).then(|| self.skeletons.pair(path, &clip));
         if let Some(paired) = &paired {
             if let Some(skeleton) = &paired.skeleton {
                 facts.set_skeleton(skeleton);
@@ -94,17 +87,6 @@ impl<'a> Reader<'a> {
         }
         Ok((facts, paired))
     }
-}
-
-/// Returns what the sidecar of a file says of the clip; what a field cannot hold is not said.
-fn sidecar_says(found: &Found) -> Vec<(Field, String)> {
-    let sidecar = found.sidecar_ns.and_then(|_| read_beside(&found.path));
-    let says = sidecar.as_ref().map(told).unwrap_or_default().into_iter();
-    let checked = |(name, value): (&str, String)| {
-        let field = Field::of_name(name)?;
-        Some((field, field.checked(&value).ok()??))
-    };
-    says.filter_map(checked).collect()
 }
 
 fn hash_in_chunks(path: &Path, buffer: &mut Vec<u8>) -> std::io::Result<[u8; 32]> {

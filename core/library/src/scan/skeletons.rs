@@ -46,8 +46,8 @@ impl Skeletons {
 
     /// Finds the skeleton of a motion: the one that its sidecar names, one beside it, any of the library, or else the
     /// built-in default where it fits.
-    pub(super) fn pair(&self, path: &Path, clip: &Clip, has_sidecar: bool) -> Paired {
-        let sidecar = has_sidecar.then(|| sidecar::read_beside(path)).flatten();
+    pub(super) fn pair(&self, path: &Path, clip: &Clip) -> Paired {
+        let sidecar = sidecar::read_beside(path);
         let named = sidecar.as_ref().and_then(|sidecar| sidecar.get(Field::AsfFile)).filter(|name| !name.is_empty());
         let motion = clip.amc.as_ref().and_then(|amc| amc.header.skeleton_hint.as_deref());
         let hints = Hints { sidecar: named, motion };

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
 use motion_theater_core::read::Format;
-use motion_theater_core::sidecar::path_beside;
 use walkdir::{DirEntry, WalkDir};
 
 /// Extensions of files that are never motion: they are not opened to see. In lower case.
@@ -26,8 +25,6 @@ pub(super) struct Found {
     pub(super) size: i64,
     /// When it was last changed, in nanoseconds since 1970.
     pub(super) modified_ns: i64,
-    /// The same of its sidecar; `None` where there is none.
-    pub(super) sidecar_ns: Option<i64>,
 }
 
 /// What a walk comes by.
@@ -65,17 +62,12 @@ pub(super) fn files(folder: &Path) -> impl Iterator<Item = Step> {
 
 impl Found {
     pub(super) fn new(path: PathBuf, metadata: &Metadata) -> Self {
-        let size = i64::try_from(metadata.len()).unwrap_or(i64::MAX);
-        Self { path, size, modified_ns: modified_ns(metadata), sidecar_ns: None }
-    }
-
-    /// Looks for the file's sidecar, if its folder has any.
-    pub(super) fn with_sidecar(self, sidecars: &mut Sidecars) -> Self {
-        if !sidecars.are_beside(&self.path) {
-            return self;
-        }
-        let sidecar = std::fs::metadata(path_beside(&self.path)).ok().filter(Metadata::is_file);
-        Self { sidecar_ns: sidecar.as_ref().map(modified_ns), ..self }
+        let modified = metadata.modified().unwrap_or(UNIX_EPOCH);
+        let modified_ns = match modified.duration_since(UNIX_EPOCH) {
+            Ok(since) => i64::try_from(since.as_nanos()).unwrap_or(i64::MAX),
+            Err(before) => i64::try_from(before.duration().as_nanos()).map_or(i64::MIN, |ns| -ns),
+        };
+        Self { path, size: i64::try_from(metadata.len()).unwrap_or(i64::MAX), modified_ns }
     }
 
     /// Returns whether the file may be motion, by its extension; `None` where only its content can tell.
@@ -86,36 +78,6 @@ impl Found {
             Some(other) if NEVER.contains(&other.as_str()) => Some(false),
             _ => None,
         }
-    }
-}
-
-/// Whether a folder has sidecars: most have none, and then no file of it needs to be asked.
-#[derive(Default)]
-pub(super) struct Sidecars {
-    folder: Option<PathBuf>,
-    has_any: bool,
-}
-
-impl Sidecars {
-    /// Returns whether there are sidecars in the folder of a file; asked for one folder after the other.
-    fn are_beside(&mut self, file: &Path) -> bool {
-        let folder = file.parent().unwrap_or(Path::new(""));
-        if self.folder.as_deref() != Some(folder) {
-            let is_sidecar = |name: &Path| name.extension().is_some_and(|it| it.eq_ignore_ascii_case("i3d"));
-            let mut entries = folder.read_dir().into_iter().flatten().filter_map(Result::ok);
-            self.has_any = entries.any(|entry| is_sidecar(Path::new(&entry.file_name())));
-            self.folder = Some(folder.to_owned());
-        }
-        self.has_any
-    }
-}
-
-/// Returns when a file was last changed, in nanoseconds since 1970.
-fn modified_ns(metadata: &Metadata) -> i64 {
-    let modified = metadata.modified().unwrap_or(UNIX_EPOCH);
-    match modified.duration_since(UNIX_EPOCH) {
-        Ok(since) => i64::try_from(since.as_nanos()).unwrap_or(i64::MAX),
-        Err(before) => i64::try_from(before.duration().as_nanos()).map_or(i64::MIN, |ns| -ns),
     }
 }
 

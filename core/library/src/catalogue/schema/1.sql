@@ -11,13 +11,12 @@ CREATE TABLE folder (
 -- A file. What people say of it (subject to cleaned) is the value in force: see `told`.
 CREATE TABLE clip (
     id INTEGER PRIMARY KEY,
-    folder_id INTEGER NOT NULL REFERENCES folder (id) ON DELETE CASCADE,
+    folder_id INTEGER NOT NULL REFERENCES folder (id) ON DELETE CASCADE DEFERRABLE INITIALLY DEFERRED,
     path TEXT NOT NULL UNIQUE,
     name TEXT NOT NULL,
     folder TEXT NOT NULL,
     size INTEGER NOT NULL,
     modified_ns INTEGER NOT NULL,
-    sidecar_ns INTEGER,
     content_hash BLOB CHECK (length(content_hash) = 32),
     format TEXT NOT NULL,
     frames INTEGER,
@@ -69,6 +68,13 @@ CREATE TABLE told (
     field TEXT NOT NULL CHECK (field IN ('subject', 'recorded_on', 'description', 'session_group', 'cleaned')),
     value TEXT NOT NULL,
     PRIMARY KEY (clip_id, field, source)
+) STRICT, WITHOUT ROWID;
+
+-- The sidecars that were read, and what the disk listed of them then.
+CREATE TABLE sidecar (
+    path TEXT PRIMARY KEY,
+    size INTEGER NOT NULL,
+    modified_ns INTEGER NOT NULL
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE tag (

@@ -55,7 +55,9 @@ fn split_at_lines(text: &[u8]) -> Vec<&[u8]> {
 
 /// Returns how many lines there are, blank ones too.
 fn count_lines(text: &[u8]) -> usize {
-    let ends = text.iter().map(|byte| usize::from(*byte == b'\n')).sum::<usize>();
+    // As many bytes at a time as a byte can count: that adds up 16 of them in one step.
+    let ends_in = |block: &[u8]| block.iter().map(|byte| u8::from(*byte == b'\n')).sum::<u8>();
+    let ends = text.chunks(u8::MAX.into()).map(|block| usize::from(ends_in(block))).sum::<usize>();
     ends + usize::from(!matches!(text.last(), None | Some(b'\n')))
 }
 

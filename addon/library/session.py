@@ -1,0 +1,205 @@
+"""What this session shows of the library: the search, its result, the clip that is selected, and the scan."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import bpy
+import numpy as np
+
+import motion_theater
+
+from ..logic.library import facts
+from ..logic.library.marks import Marks
+from ..logic.messages import explained
+from . import redraw, work
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+PACKAGE = __package__.rpartition(".")[0]
+DATABASE = "library.sqlite"
+VARIABLE = "MOTION_THEATER_LIBRARY"
+MENU_FIELDS = ("format", "tag", "subject", "group")
+
+
+@dataclass
+class Session:
+    """The state of the browser. It lasts as long as Blender runs and is never saved."""
+
+    is_open: bool = False
+    words: str = ""
+    filters: dict[str, str] = field(default_factory=dict)
+    sort: str = "name"
+    descending: bool = False
+    ids: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
+    """What was found, in order."""
+    active: int = -1
+    """The place of the selected clip in `ids`, or -1."""
+    marks: dict[int, Marks] = field(default_factory=dict)
+    """In and out marks of clips that were opened."""
+    total: int = 0
+    """Clips in the library."""
+    folders: list[Any] = field(default_factory=list)
+    values: dict[str, list[tuple[str, int]]] = field(default_factory=dict)
+    """For menus: the values of a field, with how many clips have them."""
+    misunderstood: str = ""
+    """Why the search cannot be made as it stands."""
+    trouble: str = ""
+    """Why the library itself cannot be used."""
+    message: str = ""
+    """What was last done."""
+    also_sidecar: bool = False
+
+    @property
+    def active_id(self) -> int | None:
+        """The selected clip."""
+        return int(self.ids[self.active]) if 0 <= self.active < len(self.ids) else None
+
+
+state = Session()
+_local = threading.local()
+_listeners: list[Callable[[], None]] = []
+
+
+def path() -> str:
+    """Return where the database lies: in the extension's own folder, or where the environment says."""
+    named = os.environ.get(VARIABLE)
+    if named:
+        return named
+    try:
+        folder = bpy.utils.extension_path_user(PACKAGE, path="library", create=True)
+    except ValueError:  # registered by a script, which is no extension
+        folder = bpy.utils.user_resource("DATAFILES", path="motion_theater", create=True)
+    return str(Path(folder) / DATABASE)
+
+
+def library() -> motion_theater.Library:
+    """Return the library, opened once in each thread: readers do not wait for each other."""
+    wanted = path()
+    if getattr(_local, "path", None) != wanted:
+        _local.library, _local.path = motion_theater.Library(wanted), wanted
+    return _local.library
+
+
+def on_change(listener: Callable[[], None]) -> None:
+    """Have a function called whenever another list of clips is shown."""
+    if listener not in _listeners:
+        _listeners.append(listener)
+
+
+def no_longer_on_change(listener: Callable[[], None]) -> None:
+    """Take that back."""
+    if listener in _listeners:
+        _listeners.remove(listener)
+
+
+def ensure_open() -> None:
+    """Read what the library holds, unless that was done before. Made to be called at each redraw."""
+    if not state.is_open:
+        state.is_open = True
+        refresh()
+
+
+def refresh() -> None:
+    """Look anew what is in the library and what the search finds."""
+    search()
+    work.ask("data", "overview", _overview, _show_overview)
+
+
+def search() -> None:
+    """Find the clips that are asked for."""
+    query = facts.query(state.words, state.filters)
+    sort, descending = state.sort, state.descending
+    work.ask("data", "search", lambda: library().search(query, sort=sort, descending=descending), _show_found)
+
+
+def set_filter(name: str, value: str) -> None:
+    """Filter by a field; nothing takes the filter away."""
+    filters = {key: kept for key, kept in state.filters.items() if key != name}
+    if value:
+        filters[name] = value
+    if filters != state.filters:
+        state.filters = filters
+        search()
+
+
+def choose(index: int) -> None:
+    """Select a clip by its place in the list."""
+    index = min(max(index, -1), len(state.ids) - 1)
+    if index != state.active:
+        state.active = index
+        redraw.everything()
+
+
+def edit(ids: list[int], fields: dict[str, object]) -> None:
+    """Write what the user knows of clips."""
+    change(lambda: library().edit(ids, fields))
+
+
+def write_sidecar(clip_id: int) -> None:
+    """Write what is known of a clip to the sidecar beside it."""
+    change(lambda: library().write_sidecar(clip_id))
+
+
+def change(call: Callable[[], Any], said: str = "") -> None:
+    """Write to the library in the background, and show the outcome."""
+
+    def deliver(_: Any, error: BaseException | None) -> None:
+        if error is not None:
+            state.message = _words(error)
+        else:
+            state.message = said or state.message
+            from . import rows
+
+            rows.renew()
+            refresh()
+        redraw.everything()
+
+    work.ask("edits", object(), call, deliver)
+
+
+def _overview() -> tuple[int, list[Any], dict[str, list[tuple[str, int]]]]:
+    here = library()
+    return here.count(), here.folders(), {name: here.values(name) for name in MENU_FIELDS}
+
+
+def _show_overview(result: Any, error: BaseException | None) -> None:
+    if error is not None:
+        state.trouble = _words(error)
+    else:
+        state.trouble = ""
+        state.total, state.folders, state.values = result
+    redraw.everything()
+
+
+def _show_found(result: Any, error: BaseException | None) -> None:
+    if error is not None:
+        state.misunderstood = _words(error)
+        redraw.everything()
+        return
+    state.misunderstood = ""
+    chosen = state.active_id
+    state.ids = result
+    places = [] if chosen is None else np.flatnonzero(result == chosen).tolist()
+    state.active = places[0] if places else (0 if len(result) else -1)
+    for listener in _listeners:
+        listener()
+    redraw.everything()
+
+
+def _words(error: BaseException) -> str:
+    said = explained(error)
+    if said is None:
+        raise error
+    return said
+
+
+def close() -> None:
+    """Forget everything, as at the start of Blender."""
+    state.__init__()  # type: ignore[misc]

@@ -1,0 +1,112 @@
+"""One clip in the grid: its still, or its moving strip under the mouse, and what must be known of it at a glance."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import TYPE_CHECKING
+
+from ..library import pictures, rows
+from ..logic.library import facts
+from ..logic.library.rect import Rect
+from ..translations import text
+from . import look, textures
+
+if TYPE_CHECKING:
+    import motion_theater
+
+    from .canvas import Canvas
+
+CAPTION = 38.0
+"""The height below the picture for two lines."""
+MOVES_AFTER_S = 0.12
+
+
+def draw(canvas: Canvas, area: Rect, clip_id: int, *, is_active: bool, hovered_s: float | None) -> None:
+    """Draw a tile. `hovered_s` is how long the mouse has been on it."""
+    scale = canvas.scale
+    radius = look.RADIUS * scale
+    fill = look.TILE if hovered_s is None else look.TILE_HOVERED
+    if is_active:
+        canvas.box(area.inset(-2 * scale), look.ACCENT_HOVERED, radius + 2 * scale)
+    canvas.box(area, fill, radius)
+    clip = rows.get(clip_id)
+    picture = Rect(area.x, area.y + CAPTION * scale, area.width, area.height - CAPTION * scale).inset(3 * scale)
+    if clip is None:
+        return
+    if clip.error:
+        _draw_error(canvas, picture, clip.error)
+    else:
+        _draw_picture(canvas, picture, clip_id, hovered_s)
+    _draw_caption(canvas, area, clip)
+
+
+def is_moving(clip_id: int) -> bool:
+    """Return whether a clip has a strip that moves under the mouse, or may yet get one."""
+    strip = pictures.STRIPS.get(clip_id)
+    return strip is None or len(strip.frames) > 0
+
+
+def _draw_picture(canvas: Canvas, area: Rect, clip_id: int, hovered_s: float | None) -> None:
+    """Draw the still; after a moment under the mouse the strip, by time."""
+    if hovered_s is not None and hovered_s >= MOVES_AFTER_S:
+        strip = pictures.strip(clip_id)
+        if strip is not None and len(strip.frames) and strip.rate_hz > 0:
+            number = int((hovered_s - MOVES_AFTER_S) * strip.rate_hz) % len(strip.frames)
+            frame = strip.frames[number]
+            texture = textures.get((clip_id, number), frame)
+            if texture is not None:
+                place = area.fitted(frame.shape[1] / frame.shape[0])
+                canvas.picture(texture, place)
+                share = (number + 1) / len(strip.frames)
+                bar = Rect(place.x, area.y, place.width * share, 2 * canvas.scale)
+                canvas.box(bar, look.ACCENT_HOVERED)
+                return
+    still = pictures.still(clip_id)
+    if still is None:
+        return
+    if not still.size:
+        x, y = area.middle
+        canvas.text(x, y - 4 * canvas.scale, text("No picture yet"), look.TEXT_FAINT, align="CENTER")
+        return
+    texture = textures.get((clip_id, -1), still)
+    if texture is not None:
+        canvas.picture(texture, area.fitted(still.shape[1] / still.shape[0]))
+
+
+def _draw_error(canvas: Canvas, area: Rect, error: str) -> None:
+    """Say why a file cannot be read, as far as there is room."""
+    scale = canvas.scale
+    canvas.text(area.x + 5 * scale, area.top - 16 * scale, text("Not readable"), look.ALERT, 11)
+    lines = textwrap.wrap(error, max(12, int(area.width / (5.6 * scale))))
+    room = int((area.height - 24 * scale) // (14 * scale))
+    for number, line in enumerate(lines[:room]):
+        shown = line + "…" if number == room - 1 and len(lines) > room else line
+        canvas.text(
+            area.x + 5 * scale,
+            area.top - (33 + 14 * number) * scale,
+            shown,
+            look.TEXT_DIM,
+            10,
+            width=area.width - 8 * scale,
+        )
+
+
+def _draw_caption(canvas: Canvas, area: Rect, clip: motion_theater.LibraryClip) -> None:
+    scale = canvas.scale
+    left, right = area.x + 8 * scale, area.right - 8 * scale
+    name_end = right
+    if clip.is_favourite:
+        name_end -= 16 * scale
+        canvas.icon("STAR", Rect(right - 12 * scale, area.y + 20 * scale, 12 * scale, 12 * scale), look.STAR)
+    ink = look.TEXT if not clip.is_missing else look.TEXT_FAINT
+    canvas.text(left, area.y + 22 * scale, clip.name, ink, 11, width=name_end - left)
+    canvas.text(left, area.y + 7 * scale, line(clip), look.TEXT_DIM, 9.5, width=right - left)
+
+
+def line(clip: motion_theater.LibraryClip) -> str:
+    """Return what is known of a clip in a few words."""
+    if clip.is_missing:
+        return text("Missing")
+    rate = facts.rate(clip.rate_hz) if clip.rate_hz else ""
+    parts = [(clip.format or "").upper(), facts.duration(clip.duration_s), rate]
+    return "   ".join(part for part in parts if part)
