@@ -17,6 +17,7 @@ from tests.bench import (
     reading_bvh,
     reading_c3d,
     scanning,
+    searching,
 )
 
 PARTS = (
@@ -29,6 +30,7 @@ PARTS = (
     editing,
     filters_vs_scipy,
     scanning,
+    searching,
 )
 
 
