@@ -8,19 +8,17 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from . import native, translations
+from . import native
 
 
 def register() -> None:
     """Called by Blender when the extension is switched on."""
-    translations.register(__package__)
     _parts().register()
 
 
 def unregister() -> None:
     """Called by Blender when the extension is switched off: `register` backwards."""
     _parts().unregister()
-    translations.unregister(__package__)
 
 
 def _parts() -> ModuleType:

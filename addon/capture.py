@@ -95,6 +95,7 @@ class Batch:
                 traceback.print_exc()  # a mistake of our own must not cost the other files
                 text = f"an error of Motion Theater itself, please report it: {error!r}"
             name = base_name(job.path)
+            text = text.replace(job.path, name)  # one line of many: the folder is known
             self.verdicts.skipped.append(text if name in text else f"{name}: {text}")
 
     def stop(self) -> None:

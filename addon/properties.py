@@ -119,6 +119,52 @@ SCALE_START = ("Scale Start", "Scene frame at which the motion is to start. Zero
 SCALE_END = ("Scale End", "Scene frame at which the motion is to end. Zero keeps the length of the file")
 BLEND_DEPTH = ("Blend Depth", "Frames on each side of a border over which old and new motion pass into each other")
 
+# What entries, the form for new ones and operators say alike.
+Words = dict[str, Any]
+PRESERVE: Words = {
+    "name": "Preserve Position",
+    "description": "Continue from where the old motion left the root. Excludes blending",
+}
+PRESERVE_ROTATION: Words = {
+    "name": "Rotation",
+    "description": "How far the new motion is turned to continue the old one",
+    "items": ROTATION_ALIGNMENTS,
+}
+PRESERVE_HEIGHT: Words = {
+    "name": "Height",
+    "description": "Continue at the old height of the root as well, not only at its place on the ground",
+}
+DISCARD: Words = {
+    "name": "Discard Old Motion",
+    "description": "Remove the old motion of these bones before the new one is added",
+}
+BLEND: Words = {"name": "Blend", "description": "How rotations are blended", "items": BLENDS}
+SAMPLING: Words = {
+    "name": "Sampling",
+    "description": "How values between two frames of the file are found",
+    "items": SAMPLINGS,
+}
+FILTER_KIND: Words = {"name": "Filter", "description": "The kind of filter", "items": FILTER_KINDS}
+FILTER_ON: Words = {
+    "name": "Filter On",
+    "description": "What the filter takes as one value",
+    "items": FILTER_CHANNELS,
+}
+DEPTH: Words = {
+    "description": "How many values are considered for each result. An odd number",
+    "soft_max": 31,
+    "max": 9999,
+    "step": 2,
+}
+LONGEST_GAP: Words = {
+    "name": "Longest Gap",
+    "description": "How many samples may be missing in a gap that is filled",
+    "default": 10,
+    "min": 1,
+    "soft_max": 1000,
+}
+EDITED: Words = {"update": _rebuild, "override": OVERRIDABLE}
+
 
 class PackedSource(PropertyGroup):
     """A motion file kept inside the .blend file."""
@@ -181,63 +227,16 @@ class MotionEntry(PropertyGroup):
     scale_start: _frame(*SCALE_START)
     scale_end: _frame(*SCALE_END)
     blend_depth: _frame(*BLEND_DEPTH, low=0)
-    preserve: BoolProperty(
-        name="Preserve Position",
-        description="Continue from where the old motion left the root. Excludes blending",
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
-    preserve_rotation: EnumProperty(
-        name="Rotation",
-        description="How far the new motion is turned to continue the old one",
-        items=ROTATION_ALIGNMENTS,
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
-    preserve_height: BoolProperty(
-        name="Height",
-        description="Continue at the old height of the root as well, not only at its place on the ground",
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
-    discard: BoolProperty(
-        name="Discard Old Motion",
-        description="Remove the old motion of these bones before the new one is added",
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
-    blend: EnumProperty(
-        name="Blend", description="How rotations are blended", items=BLENDS, update=_rebuild, override=OVERRIDABLE
-    )
-    sampling: EnumProperty(
-        name="Sampling",
-        description="How values between two frames of the file are found",
-        items=SAMPLINGS,
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
+    preserve: BoolProperty(**PRESERVE, **EDITED)
+    preserve_rotation: EnumProperty(**PRESERVE_ROTATION, **EDITED)
+    preserve_height: BoolProperty(**PRESERVE_HEIGHT, **EDITED)
+    discard: BoolProperty(**DISCARD, **EDITED)
+    blend: EnumProperty(**BLEND, **EDITED)
+    sampling: EnumProperty(**SAMPLING, **EDITED)
     keys: EnumProperty(name="Keys", description="Where keys are set", items=KEYS, update=_rebuild, override=OVERRIDABLE)
-    filter_kind: EnumProperty(
-        name="Filter", description="The kind of filter", items=FILTER_KINDS, update=_rebuild, override=OVERRIDABLE
-    )
-    depth: IntProperty(
-        name="Depth",
-        description="How many values are considered for each result. An odd number",
-        default=3,
-        min=3,
-        soft_max=31,
-        max=9999,
-        step=2,
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
-    filter_channels: EnumProperty(
-        name="Filter On",
-        description="What the filter takes as one value",
-        items=FILTER_CHANNELS,
-        update=_rebuild,
-        override=OVERRIDABLE,
-    )
+    filter_kind: EnumProperty(**FILTER_KIND, **EDITED)
+    depth: IntProperty(name="Depth", default=3, min=3, **DEPTH, **EDITED)
+    filter_channels: EnumProperty(**FILTER_ON, **EDITED)
     action: PointerProperty(
         name="Action", description="The kept F-curves", type=Action, update=_rebuild, override=OVERRIDABLE
     )
@@ -314,45 +313,15 @@ class NewTrackOptions(PropertyGroup):
     scale_start: _frame(*SCALE_START, rebuild=False)
     scale_end: _frame(*SCALE_END, rebuild=False)
     blend_depth: _frame(*BLEND_DEPTH, low=0, rebuild=False)
-    preserve: BoolProperty(
-        name="Preserve Position",
-        description="Continue from where the old motion left the root. Excludes blending",
-    )
-    preserve_rotation: EnumProperty(
-        name="Rotation",
-        description="How far the new motion is turned to continue the old one",
-        items=ROTATION_ALIGNMENTS,
-    )
-    preserve_height: BoolProperty(
-        name="Height",
-        description="Continue at the old height of the root as well, not only at its place on the ground",
-    )
-    discard: BoolProperty(
-        name="Discard Old Motion",
-        description="Remove the old motion of these bones before the new one is added",
-    )
-    blend: EnumProperty(name="Blend", description="How rotations are blended", items=BLENDS)
-    sampling: EnumProperty(
-        name="Sampling", description="How values between two frames of the file are found", items=SAMPLINGS
-    )
-    rate: EnumProperty(name="Rate", description="How the rate of the file meets that of the scene", items=RATES)
-    scene_range: EnumProperty(
-        name="Scene Range", description="What becomes of the frame range of the scene", items=SCENE_RANGES
-    )
-    filter_kind: EnumProperty(name="Filter", description="The kind of filter", items=FILTER_KINDS)
-    filter_channels: EnumProperty(
-        name="Filter On", description="What the filter takes as one value", items=FILTER_CHANNELS
-    )
+    preserve: BoolProperty(**PRESERVE)
+    preserve_rotation: EnumProperty(**PRESERVE_ROTATION)
+    preserve_height: BoolProperty(**PRESERVE_HEIGHT)
+    discard: BoolProperty(**DISCARD)
+    blend: EnumProperty(**BLEND)
+    sampling: EnumProperty(**SAMPLING)
+    filter_kind: EnumProperty(**FILTER_KIND)
     depth: EnumProperty(name="Depth", description="How many values are considered for each result", items=DEPTHS)
-    custom_depth: IntProperty(
-        name="Custom Depth",
-        description="How many values are considered for each result. An odd number",
-        default=9,
-        min=3,
-        soft_max=31,
-        max=9999,
-        step=2,
-    )
+    custom_depth: IntProperty(name="Custom Depth", default=9, min=3, **DEPTH)
 
 
 CLASSES = (PackedSource, MotionEntry, MotionStack, NewTrackOptions)

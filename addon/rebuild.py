@@ -17,7 +17,7 @@ import motion_theater
 
 from . import compat, rig, scene, sources
 from .curves import base as base_curves
-from .curves import read
+from .curves import overruled, read
 from .curves.result import Result
 from .curves.write import Wanted
 from .logic import axes, names, plan
@@ -91,7 +91,8 @@ def rebuild(ob: Object, current_scene: bpy.types.Scene, *, over_edits: bool) -> 
         raise UserError(edited_by_hand(edited))
     locked = result.update(wanted, touched, motion)
     motion.hand_edited = ""
-    return _tell(motion, the_plan, evaluation, [loaded for _, loaded in steps], locked, scene.rate_hz(current_scene))
+    told = _tell(motion, the_plan, evaluation, [loaded for _, loaded in steps], locked, scene.rate_hz(current_scene))
+    return told + overruled.notices(ob, touched)
 
 
 def as_plan_entry(entry: MotionEntry) -> plan.Entry:

@@ -32,16 +32,27 @@ class Verdicts:
         """Return one sentence, with all reasons where there is room."""
         if len(self.done) == 1 and not self.skipped and not self.not_begun:
             return self.done[0]
+        reasons = f" ({'; '.join(self.skipped)})" if 0 < len(self.skipped) <= SHOWN_REASONS else ""
+        return self.counts() + reasons
+
+    def counts(self) -> str:
+        """Return how many files came in, and how many did not."""
         parts = [f"Imported {files(len(self.done))}"]
         if self.skipped:
             parts.append(f"skipped {len(self.skipped)}")
         if self.not_begun:
             parts.append(f"stopped with {self.not_begun} left")
-        reasons = f" ({'; '.join(self.skipped)})" if 0 < len(self.skipped) <= SHOWN_REASONS else ""
-        return ", ".join(parts) + reasons
+        return ", ".join(parts)
 
 
 SHOWN_REASONS = 2
+LONGEST_LINE = 110
+
+
+def short(line: str) -> str:
+    """Return a line that a pop-up has room for: of a track that was added only that, which is said last."""
+    line = line[max(0, line.rfind("Added ")) :]
+    return line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 1].rstrip()}…"
 
 
 def files(count: int) -> str:

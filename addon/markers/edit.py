@@ -10,6 +10,7 @@ import numpy as np
 import motion_theater
 
 from .. import rig
+from ..curves import read
 from ..logic.messages import NO_BONES_SELECTED, UserError, counted
 from . import keys
 
@@ -50,7 +51,7 @@ def fill_gaps(ob: Object, *, how: FillKind, longest: int, selected_only: bool) -
     if not there:
         return "There are no gaps between samples"
     filled, gaps = markers.filled(how=how, longest=longest, markers=names)
-    _write(recorded, bones, filled, {marker for marker, _, _ in gaps})
+    _write(ob, recorded, bones, filled, {marker for marker, _, _ in gaps})
     samples = sum(end - start for _, start, end in gaps)
     left = there - len(gaps)
     rest = f"; {left} left: longer than {longest} samples" if left else ""
@@ -65,12 +66,18 @@ def filter_markers(ob: Object, *, kind: motion_theater.FilterKind, depth: int, s
     bones, recorded, markers = current(ob)
     filtered = markers.filtered(kind=kind, depth=depth, markers=names)
     wanted = set(names)
-    _write(recorded, bones, filtered, {number for number, name in enumerate(bones) if name in wanted})
+    _write(ob, recorded, bones, filtered, {number for number, name in enumerate(bones) if name in wanted})
     count = counted(len(names), "marker")
     return f"Filtered {count}: {kind.lower()}, depth {depth}"
 
 
-def _write(recorded: keys.Recorded, bones: Sequence[str], markers: motion_theater.Markers, changed: set[int]) -> None:
+def _write(
+    ob: Object, recorded: keys.Recorded, bones: Sequence[str], markers: motion_theater.Markers, changed: set[int]
+) -> None:
     flags = np.zeros(len(bones), np.bool_)
     flags[list(changed)] = True
     keys.write_back(recorded, bones, markers.positions.astype(np.float64, copy=False), flags)
+    curves = keys.curves_of(ob)
+    for bone in (bones[number] for number in changed):
+        if (read.path(bone, "scale"), 0) not in curves:  # what hid it is gone, but not what it was hidden by just now
+            ob.pose.bones[bone].scale = (keys.SHOWN,) * 3

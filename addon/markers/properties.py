@@ -8,7 +8,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty, PointerProperty, StringProperty
 from bpy.types import PropertyGroup
 
-from ..properties import OVERRIDABLE
+from ..properties import LONGEST_GAP, OVERRIDABLE
 
 if TYPE_CHECKING:
     from bpy.types import Context, Object
@@ -46,14 +46,7 @@ class MarkerSet(PropertyGroup):
     key_step: FloatProperty(
         name="Key Step", description="Scene frames from one key to the next", default=1.0, override=OVERRIDABLE
     )
-    longest_gap: IntProperty(
-        name="Longest Gap",
-        description="How many samples may be missing in a gap that is filled",
-        default=10,
-        min=1,
-        soft_max=1000,
-        override=OVERRIDABLE,
-    )
+    longest_gap: IntProperty(**LONGEST_GAP, override=OVERRIDABLE)
     lines: PointerProperty(
         name="Lines",
         description="The mesh whose edges join neighboring markers",

@@ -5,29 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from .. import properties, tracks
+from ..logic import recipes
 from . import import_file, outcome, target
 
 if TYPE_CHECKING:
     from bpy.types import Context, Event, UILayout
 
-SETTINGS = (
-    "rate_hz",
-    "cut_start",
-    "cut_end",
-    "scale_start",
-    "scale_end",
-    "blend_depth",
-    "preserve",
-    "preserve_rotation",
-    "preserve_height",
-    "discard",
-    "blend",
-    "sampling",
-)
+SETTINGS = tuple(name for name in recipes.TRACK_SETTINGS if name != "keys")  # which follow from the rate
 """Options that become settings of the entry, under the same names."""
 
 
@@ -36,7 +24,7 @@ def _frame(texts: tuple[str, str], low: int = -properties.FRAME_LIMIT) -> object
     return IntProperty(name=name, description=description, min=low, max=properties.FRAME_LIMIT)
 
 
-class MOTION_THEATER_OT_add_track(bpy.types.Operator, ImportHelper):
+class MOTION_THEATER_OT_add_track(bpy.types.Operator, import_file.RateOptions, ImportHelper):
     """Add a motion file as a track to the active armature. Without a fitting armature its skeleton is imported first"""
 
     bl_idname = "motion_theater.add_track"
@@ -61,41 +49,12 @@ class MOTION_THEATER_OT_add_track(bpy.types.Operator, ImportHelper):
     scale_start: _frame(properties.SCALE_START)
     scale_end: _frame(properties.SCALE_END)
     blend_depth: _frame(properties.BLEND_DEPTH, low=0)
-    preserve: BoolProperty(
-        name="Preserve Position",
-        description="Continue from where the old motion left the root. Excludes blending",
-    )
-    preserve_rotation: EnumProperty(
-        name="Rotation",
-        description="How far the new motion is turned to continue the old one",
-        items=properties.ROTATION_ALIGNMENTS,
-    )
-    preserve_height: BoolProperty(
-        name="Height",
-        description="Continue at the old height of the root as well, not only at its place on the ground",
-    )
-    discard: BoolProperty(
-        name="Discard Old Motion",
-        description="Remove the old motion of these bones before the new one is added",
-    )
-    blend: EnumProperty(name="Blend", description="How rotations are blended", items=properties.BLENDS)
-    sampling: EnumProperty(
-        name="Sampling", description="How values between two frames of the file are found", items=properties.SAMPLINGS
-    )
-    rate: EnumProperty(
-        name="Frame Rate", description="How the rate of the file meets that of the scene", items=properties.RATES
-    )
-    rate_hz: FloatProperty(
-        name="Samples per Second",
-        description="The rate of the file, where its own is missing or wrong. Zero takes the rate of the file",
-        min=0.0,
-        soft_max=1000.0,
-    )
-    scene_range: EnumProperty(
-        name="Scene Range",
-        description="What becomes of the frame range of the scene",
-        items=properties.SCENE_RANGES,
-    )
+    preserve: BoolProperty(**properties.PRESERVE)
+    preserve_rotation: EnumProperty(**properties.PRESERVE_ROTATION)
+    preserve_height: BoolProperty(**properties.PRESERVE_HEIGHT)
+    discard: BoolProperty(**properties.DISCARD)
+    blend: EnumProperty(**properties.BLEND)
+    sampling: EnumProperty(**properties.SAMPLING)
 
     def invoke(self, context: Context, event: Event) -> set[str]:
         return import_file.ask(self, context)

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
-from .. import properties, stack, tracks
+from .. import markers, properties, stack, tracks
 from ..logic import names, plan
 from ..logic.messages import UserError, filter_added, sentences
+from ..translations import text
 from . import outcome, target
 
 if TYPE_CHECKING:
@@ -25,20 +26,9 @@ class MOTION_THEATER_OT_filter(bpy.types.Operator):
     bl_label = "Filter Motion"
     bl_options = {"REGISTER", "UNDO"}
 
-    kind: EnumProperty(name="Filter", description="The kind of filter", items=properties.FILTER_KINDS)
-    depth: IntProperty(
-        name="Depth",
-        description="How many values are considered for each result. An odd number",
-        default=3,
-        min=1,
-        soft_min=3,
-        soft_max=31,
-        max=9999,
-        step=2,
-    )
-    channels: EnumProperty(
-        name="Filter On", description="What the filter takes as one value", items=properties.FILTER_CHANNELS
-    )
+    kind: EnumProperty(**properties.FILTER_KIND)
+    depth: IntProperty(name="Depth", default=3, min=1, soft_min=3, **properties.DEPTH)
+    channels: EnumProperty(**properties.FILTER_ON)
     selected_only: BoolProperty(name="Selected Bones Only", description="Filter the selected bones only")
     bone_collection: StringProperty(
         name="Bone Collection", description="Filter the bones of this collection only", options={"SKIP_SAVE"}
@@ -46,7 +36,10 @@ class MOTION_THEATER_OT_filter(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: Context) -> bool:
-        return target.allowed(cls, target.armature_reason(context))
+        reason = target.armature_reason(context)
+        if not reason and markers.is_set(target.armature(context)):
+            reason = text("A marker set has gaps: use the filter of the panel Markers, which keeps them")
+        return target.allowed(cls, reason)
 
     def execute(self, context: Context) -> set[str]:
         ob = target.armature(context)

@@ -4,12 +4,44 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from bpy.props import StringProperty
+from bpy.props import EnumProperty, FloatProperty, StringProperty
 
-from .. import preferences
+from .. import preferences, properties
 
 if TYPE_CHECKING:
     from bpy.types import Context, Operator
+
+
+class RateOptions:
+    """How the time of a file meets that of the scene."""
+
+    rate: EnumProperty(
+        name="Frame Rate", description="How the rate of the file meets that of the scene", items=properties.RATES
+    )
+    rate_hz: FloatProperty(
+        name="Samples per Second",
+        description="The rate of the file, where its own is missing or wrong. Zero takes the rate of the file",
+        min=0.0,
+        soft_max=1000.0,
+    )
+    scene_range: EnumProperty(
+        name="Scene Range",
+        description="What becomes of the frame range of the scene",
+        items=properties.SCENE_RANGES,
+    )
+
+
+class SizeOption:
+    """How large the content of a file becomes."""
+
+    scale: FloatProperty(
+        name="Scale",
+        description="Factor on the size that the file gives, which is brought to meters",
+        default=1.0,
+        min=1e-6,
+        soft_min=0.01,
+        soft_max=100.0,
+    )
 
 
 def path() -> object:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from .. import markers, properties, sources
@@ -25,7 +25,9 @@ GROUPS = (("scale", "up"), ("rate", "rate_hz", "scene_range"), ("with_lines", "w
 """What stands together in the dialog."""
 
 
-class MOTION_THEATER_OT_import_markers(bpy.types.Operator, ImportHelper):
+class MOTION_THEATER_OT_import_markers(
+    bpy.types.Operator, import_file.SizeOption, import_file.RateOptions, ImportHelper
+):
     """Import recorded markers as one armature with a bone for each marker"""
 
     bl_idname = "motion_theater.import_markers"
@@ -35,31 +37,7 @@ class MOTION_THEATER_OT_import_markers(bpy.types.Operator, ImportHelper):
     filename_ext = ".c3d"
     filepath: import_file.path()
     filter_glob: StringProperty(default="*.c3d;*.csm;*.trc", options={"HIDDEN"})
-    scale: FloatProperty(
-        name="Scale",
-        description="Factor on the size that the file gives, which is brought to meters",
-        default=1.0,
-        min=1e-6,
-        soft_min=0.01,
-        soft_max=100.0,
-    )
     up: EnumProperty(name="Up", description="The axis of the file that points up", items=UP_AXES, default="AUTO")
-    rate: EnumProperty(
-        name="Frame Rate",
-        description="How the rate of the file meets that of the scene",
-        items=properties.RATES,
-    )
-    rate_hz: FloatProperty(
-        name="Samples per Second",
-        description="The rate of the file, where its own is missing or wrong. Zero takes the rate of the file",
-        min=0.0,
-        soft_max=1000.0,
-    )
-    scene_range: EnumProperty(
-        name="Scene Range",
-        description="What becomes of the frame range of the scene",
-        items=properties.SCENE_RANGES,
-    )
     with_lines: BoolProperty(
         name="Lines", description="Draw lines between neighboring markers that keep their distance", default=False
     )

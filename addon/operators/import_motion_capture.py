@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import bpy
-from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, CollectionProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from .. import capture, properties
-from ..logic.batch import files
+from ..logic.batch import files, short
 from ..translations import text
 from . import import_file, target
 
@@ -30,7 +30,9 @@ TARGETS = (
 SHOWN_LINES = 20
 
 
-class MOTION_THEATER_OT_import_motion_capture(bpy.types.Operator, ImportHelper):
+class MOTION_THEATER_OT_import_motion_capture(
+    bpy.types.Operator, import_file.SizeOption, import_file.RateOptions, ImportHelper
+):
     """Import motion capture files of any kind. Of many files, Esc stops after the current one"""
 
     bl_idname = "motion_theater.import_motion_capture"
@@ -42,14 +44,6 @@ class MOTION_THEATER_OT_import_motion_capture(bpy.types.Operator, ImportHelper):
     files: CollectionProperty(type=bpy.types.OperatorFileListElement, options={"HIDDEN", "SKIP_SAVE", "SKIP_PRESET"})
     filter_glob: StringProperty(default=";".join(f"*{name}" for name in EXTENSIONS), options={"HIDDEN"})
     target: EnumProperty(name="Add To", description="Which armature gets the motion", items=TARGETS)
-    scale: FloatProperty(
-        name="Scale",
-        description="Factor on the size that the file gives, which is brought to meters",
-        default=1.0,
-        min=1e-6,
-        soft_min=0.01,
-        soft_max=100.0,
-    )
     up: EnumProperty(
         name="Up",
         description="The axis of the file that points up",
@@ -62,18 +56,6 @@ class MOTION_THEATER_OT_import_motion_capture(bpy.types.Operator, ImportHelper):
         items=properties.FORWARD_AXES,
     )
     bone_style: EnumProperty(name="Bones", description="How the bones are oriented", items=properties.BONE_STYLES)
-    rate: EnumProperty(
-        name="Frame Rate", description="How the rate of the file meets that of the scene", items=properties.RATES
-    )
-    rate_hz: FloatProperty(
-        name="Samples per Second",
-        description="The rate of the file, where its own is missing or wrong. Zero takes the rate of the file",
-        min=0.0,
-        soft_max=1000.0,
-    )
-    scene_range: EnumProperty(
-        name="Scene Range", description="What becomes of the frame range of the scene", items=properties.SCENE_RANGES
-    )
     with_lines: BoolProperty(
         name="Lines", description="Draw lines between markers whose distance stays nearly the same", default=False
     )
@@ -175,11 +157,11 @@ class MOTION_THEATER_OT_import_motion_capture(bpy.types.Operator, ImportHelper):
         def draw(popup: bpy.types.UIPopupMenu, _: Context) -> None:
             for number, line in enumerate(lines[:SHOWN_LINES]):
                 is_skipped = number < len(verdicts.skipped)
-                popup.layout.label(text=line, icon="ERROR" if is_skipped else "CHECKMARK", translate=False)
+                popup.layout.label(text=short(line), icon="ERROR" if is_skipped else "CHECKMARK", translate=False)
             if len(lines) > SHOWN_LINES:
                 popup.layout.label(text=text("{files} more, see the Info Log", files=files(len(lines) - SHOWN_LINES)))
 
-        context.window_manager.popup_menu(draw, title=verdicts.summary(), icon="INFO")
+        context.window_manager.popup_menu(draw, title=verdicts.counts(), icon="INFO")
         return self._told(context)
 
     def _put_away(self, context: Context) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from .. import skeletons, sources, stack
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from bpy.types import Context, Event
 
 
-class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
+class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, import_file.SizeOption, ImportHelper):
     """Import the skeleton of an ASF or BVH file as an armature in its setup pose"""
 
     bl_idname = "motion_theater.import_skeleton"
@@ -27,14 +27,6 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, ImportHelper):
     filename_ext = ".asf"
     filepath: import_file.path()
     filter_glob: StringProperty(default="*.asf;*.bvh", options={"HIDDEN"})
-    scale: FloatProperty(
-        name="Scale",
-        description="Factor on the size that the file gives, which is brought to meters",
-        default=1.0,
-        min=1e-6,
-        soft_min=0.01,
-        soft_max=100.0,
-    )
     up: EnumProperty(
         name="Up",
         description="The axis of the file that points up",

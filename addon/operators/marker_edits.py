@@ -56,13 +56,7 @@ class MOTION_THEATER_OT_fill_gaps(OnMarkerSet, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     how: EnumProperty(name="Fill", description="How gaps are filled", items=FILLS)
-    longest: IntProperty(
-        name="Longest Gap",
-        description="How many samples may be missing in a gap that is filled",
-        default=10,
-        min=1,
-        soft_max=1000,
-    )
+    longest: IntProperty(**properties.LONGEST_GAP)
     selected_only: BoolProperty(name="Selected Markers Only", description="Fill the gaps of the selected markers only")
 
     def execute(self, context: Context) -> set[str]:
@@ -79,17 +73,8 @@ class MOTION_THEATER_OT_filter_markers(OnMarkerSet, bpy.types.Operator):
     bl_label = "Filter Markers"
     bl_options = {"REGISTER", "UNDO"}
 
-    kind: EnumProperty(name="Filter", description="The kind of filter", items=properties.FILTER_KINDS)
-    depth: IntProperty(
-        name="Depth",
-        description="How many values are considered for each result. An odd number",
-        default=3,
-        min=1,
-        soft_min=3,
-        soft_max=31,
-        max=9999,
-        step=2,
-    )
+    kind: EnumProperty(**properties.FILTER_KIND)
+    depth: IntProperty(name="Depth", default=3, min=1, soft_min=3, **properties.DEPTH)
     selected_only: BoolProperty(name="Selected Markers Only", description="Filter the selected markers only")
 
     def execute(self, context: Context) -> set[str]:

@@ -31,7 +31,7 @@ class MOTION_THEATER_OT_relink_source(bpy.types.Operator, ImportHelper):
     bl_options = {"REGISTER", "UNDO"}
 
     filename_ext = ".amc"
-    filter_glob: bpy.props.StringProperty(default="*.amc", options={"HIDDEN"})
+    filter_glob: bpy.props.StringProperty(default="*.amc;*.bvh", options={"HIDDEN"})
 
     @classmethod
     def poll(cls, context: Context) -> bool:

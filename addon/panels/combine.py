@@ -9,6 +9,7 @@ import bpy
 from .. import preferences, rig
 from ..logic.messages import NO_BONES_SELECTED
 from ..operators import target
+from ..operators.add_track import SETTINGS
 from ..translations import text
 from . import track, words
 
@@ -18,21 +19,7 @@ if TYPE_CHECKING:
     from ..properties import NewTrackOptions
 
 # Options of the operator that the form holds for the session, and those that are kept in the preferences.
-FORM = (
-    "selected_only",
-    "bone_collection",
-    "cut_start",
-    "cut_end",
-    "scale_start",
-    "scale_end",
-    "blend_depth",
-    "preserve",
-    "preserve_rotation",
-    "preserve_height",
-    "discard",
-    "blend",
-    "sampling",
-)
+FORM = ("selected_only", "bone_collection", *(name for name in SETTINGS if name != "rate_hz"))
 KEPT_FORM = ("rate", "scene_range")
 
 
@@ -48,7 +35,7 @@ class MOTION_THEATER_PT_combine(bpy.types.Panel):
 
     def draw(self, context: Context) -> None:
         layout = self.layout
-        layout.operator("motion_theater.import_skeleton", text="Import Skeleton (.asf)", icon="ARMATURE_DATA")
+        layout.operator("motion_theater.import_skeleton", text="Import Skeleton (.asf/.bvh)", icon="ARMATURE_DATA")
         options = context.window_manager.motion_theater
         ob = target.armature(context)
         form = layout.column()
@@ -67,7 +54,7 @@ class MOTION_THEATER_PT_combine(bpy.types.Panel):
         button = layout.column()
         button.scale_y = 1.4
         button.enabled = not hint
-        add_track_button(button, context, text="Add Motion Track (.amc)", icon="ADD")
+        add_track_button(button, context, text="Add Motion Track (.amc/.bvh)", icon="ADD")
 
 
 def _draw_bones(form: UILayout, options: NewTrackOptions, ob: Object | None) -> None:

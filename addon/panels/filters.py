@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING
 
 import bpy
 
+from .. import rig
+from ..operators import target
+
 if TYPE_CHECKING:
     from bpy.types import Context, UILayout
 
@@ -33,7 +36,10 @@ class MOTION_THEATER_PT_filters(bpy.types.Panel):
             form.prop(options, "custom_depth")
         row = self.layout.row(align=True)
         row.scale_y = 1.4
-        _button(row, options, text="Filter Selected", selected_only=True)
+        selected = row.row(align=True)
+        ob = target.armature(context)
+        selected.enabled = ob is None or bool(rig.selected_bones(ob))
+        _button(selected, options, text="Filter Selected", selected_only=True)
         _button(row, options, text="Filter All", selected_only=False)
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import bpy
 
-from .. import rig, sources, stack
+from .. import markers, rig, sources, stack
 from ..logic import names
 from ..logic.messages import listing
 from ..operators import target
@@ -79,6 +79,10 @@ class MOTION_THEATER_PT_stack(bpy.types.Panel):
     bl_category = "Motion"
     bl_label = "Motion Theater"
 
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        return markers.set_of(context) is None  # markers have their own panel, and no stack
+
     def draw(self, context: Context) -> None:
         layout = self.layout
         ob = target.armature(context)
@@ -105,7 +109,7 @@ def _draw_first_step(layout: UILayout, context: Context) -> None:
     if any(ob.type == "ARMATURE" for ob in context.view_layer.objects):
         message = text("Select an armature to see its motion")
     else:
-        message = text("Begin with a skeleton: import an .asf file below, or drop one into the 3D View")
+        message = text("Begin with a skeleton: import an .asf or .bvh file below, or drop any recording into the view")
     words.sentence(layout, context, message, icon="INFO")
 
 

@@ -391,12 +391,14 @@ def skeletons_for(
     chosen: Sequence[str | PathLike[str]] = (),
     others: Sequence[str | PathLike[str]] = (),
 ) -> list[SkeletonCandidate]:
-    """The skeleton files that may belong to a motion file, best first: those that were chosen together with it, those of
-    its folder and of the folder above, all others that are known. The motion is only looked at for what it says of its
-    skeleton, and no skeleton is opened: the first that fits is meant (`Clip.bind`). Raises OSError."""
+    """The skeleton files that may belong to a motion file, best first: those chosen together with it, the one
+    that its sidecar names, those of its folder and of the folder above, all others that are known.
+
+    The motion is only looked at for what it says of its skeleton, and no skeleton is opened: the first that fits is
+    meant (`Clip.bind`). Raises OSError."""
 
 def default_skeleton() -> Skeleton:
-    """The skeleton that stands in where a motion's own is not to be found: the usual Acclaim human of root and 30 bones."""
+    """The skeleton that stands in for one that is not to be found: the usual Acclaim human, root and 30 bones."""
 
 DEFAULT_SKELETON_ASF: str
 """The same as an ASF file."""
@@ -690,6 +692,9 @@ class Library:
     ) -> Scan:
         """Begin a scan of folders of the library, or folders within them (None: all), and return at once."""
 
+    def check(self) -> list[str]:
+        """Look at every page of the database, and return what is wrong; nothing where all is well."""
+
     def count(self) -> int:
         """Return how many clips there are, missing and broken ones too."""
 
@@ -723,9 +728,10 @@ class Library:
 
     def mark_used(self, id: int) -> None: ...
     def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
-        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path. What
-        means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who` are
-        those of the system where they are not given."""
+        """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path.
+
+        What means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who`
+        are those of the system where they are not given."""
 
     def still(self, id: int) -> NDArray[np.uint8] | None:
         """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours
@@ -750,10 +756,11 @@ SIDECAR_LABELS: dict[str, str]
 
 @final
 class Sidecar:
-    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`. Labels in other words, another order,
-    missing lines and whatever else stands there are understood as far as they can be, and kept in place. Raises OSError
-    where it cannot be read or written, ParameterError for a value that a field cannot hold, LibraryError where someone else
-    changed the file meanwhile; the file is what it was then."""
+    """What people say of a clip: `NAME.i3d` beside it, eleven lines of `label: value`.
+
+    Labels in other words, another order, missing lines and whatever else stands there are understood as far as they can
+    be, and kept in place. Raises OSError where it cannot be read or written, ParameterError for a value that a field
+    cannot hold, LibraryError where someone else changed the file meanwhile; the file is what it was then."""
 
     path: str
     is_on_disk: bool
@@ -770,8 +777,9 @@ class Sidecar:
     def set(self, field: str, value: str) -> None:
         """Edit one field; nothing is on disk before `save`. *Cleaned* is empty or one of J, Ja, Y, Yes, N, Nein, No."""
     def stamp(self, *, today: str | None = None, who: str | None = None) -> None:
-        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this. Both are those
-        of the system where they are not given."""
+        """Say who changed it and when (an ISO date), if anything was changed and nothing else was said of this.
+
+        Both are those of the system where they are not given."""
     def save(self) -> None:
         """Write the file as a whole or not at all. Permissions, encoding and line ends stay."""
     def to_bytes(self) -> bytes:
@@ -785,8 +793,10 @@ def sidecar_cleaned(value: str) -> bool | None:
     ParameterError for anything else."""
 
 def sidecar_for(clip_path: str | PathLike[str]) -> Sidecar:
-    """Open the sidecar beside a clip, or make a new one with what the clip tells: date, subject, duration, frame rate and the
-    skeleton that was found. A new one is on disk only once it is saved."""
+    """Open the sidecar beside a clip, or make a new one with what the clip tells.
+
+    That is date, subject, duration, frame rate and the skeleton that was found. A new one is on disk only once it is
+    saved."""
 
 def main() -> int:
     """The program `motion-theater`: takes `sys.argv`, prints, returns the exit code."""

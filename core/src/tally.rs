@@ -21,11 +21,20 @@ pub(crate) struct Tally {
     pub(crate) sum: u8,
 }
 
-/// So many bytes are looked at together: few enough to be counted in a byte, and a whole number of vectors of 32.
-const BLOCK: usize = 224;
+/// So many bytes are looked at together: a vector of the widest kind in common use.
+const LANES: usize = 32;
 
-/// A block, with the byte before it.
-type Window = [u8; BLOCK + 1];
+/// So many times a lane can count before it is full.
+const MOST_COUNTS: usize = 255;
+
+/// What each lane has counted.
+struct Counts {
+    words: [u8; LANES],
+    lines: [u8; LANES],
+    points: [u8; LANES],
+    others: [u8; LANES],
+    sum: [u8; LANES],
+}
 
 impl Tally {
     /// Looks over a piece of text that begins where a word or a blank does.
@@ -53,64 +62,92 @@ fn of_in_avx2(text: &[u8]) -> Tally {
 #[inline(always)]
 fn of_any(text: &[u8]) -> Tally {
     let mut tally = Tally::default();
-    let mut rest = text;
-    // The first byte has a blank before it; it is the byte before the first block.
-    let mut first = [b' '; BLOCK + 1];
-    if let [byte, ..] = text {
-        first[1] = *byte;
-        tally.add(&first);
-    }
-    while let Some(window) = rest.first_chunk::<{ BLOCK + 1 }>() {
-        tally.add(window);
-        rest = rest.get(BLOCK..).unwrap_or_default();
-    }
-    if rest.len() > 1 {
-        let mut last = [b' '; BLOCK + 1];
-        if let Some(place) = last.get_mut(..rest.len()) {
-            place.copy_from_slice(rest);
+    let Some((first, rest)) = text.split_first() else { return tally };
+    // The first byte has a blank before it; it is the byte before the next.
+    let mut counts = Counts::new();
+    counts.add(&padded(&[b' ', *first]));
+    let groups = rest.len() / LANES;
+    let mut at = 0;
+    for group in 0..groups {
+        if group % MOST_COUNTS == MOST_COUNTS - 1 {
+            tally.take(&counts);
+            counts = Counts::new();
         }
-        tally.add(&last);
+        if let Some(window) = text.get(at..).and_then(|rest| rest.first_chunk::<{ LANES + 1 }>()) {
+            counts.add(window);
+        }
+        at += LANES;
+    }
+    tally.take(&counts);
+    let left = text.get(at..).unwrap_or_default();
+    if left.len() > 1 {
+        let mut counts = Counts::new();
+        counts.add(&padded(left));
+        tally.take(&counts);
     }
     tally
 }
 
-impl Tally {
-    /// Adds the bytes of a window but for the first.
-    ///
-    /// A fixed length, no branch and counters of a byte: in this form the compiler puts neighbours into neighbouring
-    /// lanes.
+/// Returns a few bytes with blanks behind them.
+#[inline(always)]
+fn padded(bytes: &[u8]) -> [u8; LANES + 1] {
+    let mut window = [b' '; LANES + 1];
+    if let Some(place) = window.get_mut(..bytes.len()) {
+        place.copy_from_slice(bytes);
+    }
+    window
+}
+
+impl Counts {
     #[inline(always)]
-    fn add(&mut self, window: &Window) {
-        let (mut words, mut lines, mut points, mut others, mut sum) = (0_u8, 0_u8, 0_u8, 0_u8, 0_u8);
-        for at in 0..BLOCK {
-            let (before, byte) = (window[at], window[at + 1]);
+    fn new() -> Self {
+        let none = [0; LANES];
+        Self { words: none, lines: none, points: none, others: none, sum: none }
+    }
+
+    /// Adds the bytes of a window but for the first: each lane one.
+    ///
+    /// A fixed length and no branch: in this form the compiler makes one vector of the lanes.
+    #[inline(always)]
+    fn add(&mut self, window: &[u8; LANES + 1]) {
+        for lane in 0..LANES {
+            let (before, byte) = (window[lane], window[lane + 1]);
             let other = is_other(byte);
-            words = words.wrapping_add(u8::from(!is_space(byte) & is_space(before)));
-            lines = lines.wrapping_add(u8::from(byte == b'\n'));
-            points = points.wrapping_add(u8::from(byte == b'.'));
-            others = others.wrapping_add(u8::from(other));
-            sum = sum.wrapping_add(if other { byte } else { 0 });
+            self.words[lane] = self.words[lane].wrapping_add(u8::from(!is_space(byte) & is_space(before)));
+            self.lines[lane] = self.lines[lane].wrapping_add(u8::from(byte == b'\n'));
+            self.points[lane] = self.points[lane].wrapping_add(u8::from(byte == b'.'));
+            self.others[lane] = self.others[lane].wrapping_add(u8::from(other));
+            self.sum[lane] = self.sum[lane].wrapping_add(if other { byte } else { 0 });
         }
-        self.words += usize::from(words);
-        self.lines += usize::from(lines);
-        self.points += usize::from(points);
-        self.others += usize::from(others);
-        self.sum = self.sum.wrapping_add(sum);
     }
 }
 
-/// Blanks (tabs and line ends among them).
+impl Tally {
+    /// Takes what the lanes have counted.
+    #[inline(always)]
+    fn take(&mut self, counts: &Counts) {
+        let total = |lanes: &[u8; LANES]| lanes.iter().map(|count| usize::from(*count)).sum::<usize>();
+        self.words += total(&counts.words);
+        self.lines += total(&counts.lines);
+        self.points += total(&counts.points);
+        self.others += total(&counts.others);
+        self.sum = counts.sum.iter().fold(self.sum, |sum, byte| sum.wrapping_add(*byte));
+    }
+}
+
+/// What separates words: blanks, line ends, and other bytes that are no text.
 #[inline(always)]
 fn is_space(byte: u8) -> bool {
-    (byte == b' ') | (byte.wrapping_sub(b'\t') < 5)
+    byte <= b' '
 }
 
 /// A byte that is part of no number, and no blank.
 #[inline(always)]
 fn is_other(byte: u8) -> bool {
-    // `+`, `-` and `.` with the comma among them, which is none.
-    let is_sign_or_point = (byte.wrapping_sub(b'+') < 4) & (byte != b',');
-    !(is_space(byte) | (byte.wrapping_sub(b'0') < 10) | is_sign_or_point | (byte | 0x20 == b'e'))
+    let is_blank = (byte == b' ') | (byte.wrapping_sub(b'\t') < 5);
+    // From `+` to `9` all but two belong to numbers.
+    let is_of_number = (byte.wrapping_sub(b'+') < 15) & (byte != b',') & (byte != b'/');
+    !(is_blank | is_of_number | (byte | 0x20 == b'e'))
 }
 
 #[cfg(test)]
@@ -127,12 +164,18 @@ mod tests {
             .filter(|byte| !(b"0123456789+-.eE".contains(byte) || BLANKS.contains(&(*byte as char))))
             .collect();
         Tally {
-            words: text.split(BLANKS).filter(|word| !word.is_empty()).count(),
+            words: text.split(|c| c <= ' ').filter(|word| !word.is_empty()).count(),
             lines: text.matches('\n').count(),
             points: text.matches('.').count(),
             others: others.len(),
             sum: others.iter().fold(0, |sum, byte| sum.wrapping_add(*byte)),
         }
+    }
+
+    #[test]
+    fn lanes_that_are_full_are_emptied_in_time() {
+        let text = "x.\n".repeat(40_000);
+        assert_eq!(Tally::of(text.as_bytes()), counted(&text));
     }
 
     #[test]

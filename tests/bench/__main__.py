@@ -16,9 +16,22 @@ from tests.bench import (
     reading,
     reading_bvh,
     reading_c3d,
+    scanning,
+    searching,
 )
 
-PARTS = (reading, reading_bvh, reading_c3d, importing, importing_bvh, importing_markers, editing, filters_vs_scipy)
+PARTS = (
+    reading,
+    reading_bvh,
+    reading_c3d,
+    importing,
+    importing_bvh,
+    importing_markers,
+    editing,
+    filters_vs_scipy,
+    scanning,
+    searching,
+)
 
 
 def main() -> None:

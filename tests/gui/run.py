@@ -15,7 +15,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 GUI = Path(os.environ.get("GUI", ROOT.parent / "shared/gui")).resolve()
-SESSIONS = ("installing", "dragging", "panels", "sidecar", "tutorial", "library")
+SESSIONS = ("installing", "dragging", "panels", "sidecar", "tutorial", "dropping", "marker_set", "library")
 SETUP_SECONDS, SESSION_SECONDS = 900, 600
 
 

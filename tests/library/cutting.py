@@ -125,6 +125,9 @@ def _trc(data: bytes, _: Path) -> Take | None:
     head = dict(zip(keys, values, strict=False))
     number = int(rows.split(maxsplit=1)[0])
     rate, markers = float(head[b"DataRate"]), int(head[b"NumMarkers"])
+    # A row that ends with a gap says less of how many markers there are than others.
+    if any(len(row.rstrip().split(b"\t")) != 2 + 3 * markers for row in rows.splitlines()):
+        return None
     return Take("trc", data[:start], rows, starts, number, rate, markers=markers)
 
 
@@ -138,27 +141,41 @@ def _lines(data: bytes, start: int) -> tuple[bytes, tuple[int, ...]]:
 
 
 def _c3d(data: bytes, _: Path) -> Take | None:
-    """Take files of Intel processors whose header and size agree, and that say how many frames there are only once."""
+    """Take files of Intel processors whose header, parameters and size agree."""
     if len(data) < 2 * C3D_BLOCK or data[(data[0] - 1) * C3D_BLOCK + 3 :][:1] != b"\x54":
         return None
     points, analog, first, last, _, scale, block, _, rate = struct.unpack_from("<HHHHHfHHf", data, 2)
     start, width = (block - 1) * C3D_BLOCK, 4 if scale < 0 else 2
     length = (4 * points + analog) * width
     count = last - first + 1
-    spoken_of = data[C3D_BLOCK:start].count(b"FRAMES") + 2 * data[C3D_BLOCK:start].count(b"ACTUAL_END_FIELD")
-    if points == 0 or count < 2 or spoken_of != 1 or start + count * length > len(data) or last > 32000:
+    place = _value(data[:start], b"FRAMES")
+    if points == 0 or count < 2 or place is None or start + count * length > len(data) or last > 32000:
+        return None
+    if struct.unpack_from("<H", data, place) != (count,):
         return None
     starts = tuple(frame * length for frame in range(count + 1))
     return Take("c3d", data[:start], data[start:], starts, first, rate, markers=points)
 
 
 def _c3d_head(head: bytes, first: int, count: int) -> bytes:
-    """Say how many frames there are: words 4 and 5 of the header, and `POINT:FRAMES`."""
+    """Say how many frames there are: words 4 and 5 of the header, and the parameters that say it again."""
     new = bytearray(head)
     struct.pack_into("<HH", new, 6, first, first + count - 1)
-    # Behind the name: the way to the next parameter, type 2, no dimensions, the value.
-    struct.pack_into("<H", new, head.index(b"FRAMES", C3D_BLOCK) + len("FRAMES") + 4, count)
+    said = ((b"FRAMES", count), (b"ACTUAL_START_FIELD", first), (b"ACTUAL_END_FIELD", first + count - 1))
+    for name, number in said:
+        if (place := _value(head, name)) is not None:
+            struct.pack_into("<H", new, place, number)
     return bytes(new)
+
+
+def _value(head: bytes, name: bytes) -> int | None:
+    """Return where the first number of a parameter is. Before its name are the length of that (negative: locked) and
+    the group; behind it the way to the next parameter, the type, the number of dimensions and these."""
+    for match in re.finditer(re.escape(name), head[C3D_BLOCK:]):
+        at = C3D_BLOCK + match.start()
+        if head[at - 2] in (len(name), 256 - len(name)):
+            return at + len(name) + 4 + head[at + len(name) + 3]
+    return None
 
 
 def _own_takes() -> list[Take]:

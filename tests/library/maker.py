@@ -17,7 +17,7 @@ from tests.library.cutting import FEWEST_FRAMES, Take, takes
 from tests.library.damage import damaged_within, some_broken_files
 
 WEIGHTS = {"amc": 6, "bvh": 8, "c3d": 4, "csm": 1, "trc": 1}
-WORDS = "walk run jump turn dance fight sit stand climb fall throw catch wave limp march".split()
+WORDS = ("walk", "run", "jump", "turn", "dance", "fight", "sit", "stand", "climb", "fall", "throw", "wave")
 SKELETONS_PER_FOLDER = 2
 FILES_PER_FOLDER = 60
 WITHIN = "damaged within"
@@ -81,14 +81,14 @@ def make(
 ) -> list[Truth]:
     """Fill a folder with so many files, skeletons and `broken` ones among them, and return what is in each."""
     cutter = Cutter(seed, share)
-    damaged = some_broken_files(cutter.data, broken, cutter.chance)
     # One in ten of the broken ones looks like a whole file to everybody who does not read every number.
     within = broken // 10
+    damaged = some_broken_files(cutter.data, broken - within, cutter.chance)
     known: list[Truth] = []
     performers: dict[str, list[Take]] = {}
     places = _places(cutter.chance)
     kinds = [kind for kind, weight in WEIGHTS.items() for _ in range(weight)]
-    while len(known) + len(damaged) - within < clips - within:
+    while len(known) + len(damaged) < clips:
         place, number = next(places)
         take, start, end, data = cutter.cut(cutter.chance.choice(kinds))
         skeleton = None

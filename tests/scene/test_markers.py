@@ -206,6 +206,13 @@ def test_gaps_are_filled_as_the_core_does(tmp_path: Path, how: str, longest: int
     assert np.isnan(shown(ob, 1)[2]).all(), "nothing is filled before the first sample"
 
 
+def test_a_marker_that_is_hidden_when_its_gaps_are_filled_is_shown_at_once(tmp_path: Path) -> None:
+    ob = import_markers(written(tmp_path), rate="SCENE")
+    assert np.isnan(shown(ob, 12)[1]).all()
+    bpy.ops.motion_theater.fill_gaps(how="LINEAR", longest=20)
+    assert not np.isnan(shown(ob, 12)[1]).any()
+
+
 def test_a_gap_of_all_markers_at_once_is_filled(tmp_path: Path) -> None:
     points = positions()
     points[:, 20:25] = np.nan
@@ -255,6 +262,11 @@ def test_a_file_without_markers_changes_nothing() -> None:
     message = harness.refusal(lambda: import_markers(harness.TESTDATA / "walk.amc"))
     assert message == "walk.amc holds no markers: choose a .c3d, .csm or .trc file"
     assert harness.snapshot() == before
+
+
+def test_the_filter_of_stacks_refuses_marker_sets_whose_gaps_it_would_cross(tmp_path: Path) -> None:
+    import_markers(written(tmp_path))
+    assert not bpy.ops.motion_theater.filter.poll()
 
 
 def test_operators_of_marker_sets_refuse_other_armatures() -> None:

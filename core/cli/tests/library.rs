@@ -88,3 +88,22 @@ fn what_is_no_library_is_left_alone() {
     );
     assert_eq!(clips.read("wave.amc"), before);
 }
+
+#[test]
+fn a_search_prints_what_a_query_gives_in_order() {
+    let clips = scanned();
+    let names = |arguments: &str| -> Vec<String> {
+        let found = run(&clips, &format!("search --json {arguments}")).json();
+        found.iter().map(|clip| clip["name"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    assert_eq!(names("format:amc"), ["step_and_jump.amc", "wave.amc"]);
+    assert_eq!(names("format:amc --sort frames --descending --limit 1"), ["wave.amc"]);
+    assert_eq!(names("broken:yes"), ["broken.bvh"]);
+    assert_eq!(names("jump rate:60"), ["step_and_jump.amc"]);
+    assert_eq!(names("-- -jump format:amc"), ["wave.amc"]);
+    let line = run(&clips, "search wave").out;
+    assert!(line.ends_with("wave.amc: AMC, 120 frames, 2.00 s\n"), "{line}");
+    let wrong = run(&clips, "search rate>=fast");
+    let message = "error: `rate>=fast`: expected a number of frames per second, such as rate>=100\n";
+    assert_eq!((wrong.code, wrong.err.as_str()), (2, message));
+}

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+pub(crate) use motion_theater_core::error::words;
+
 /// Why something could not be done with a library.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -75,10 +77,4 @@ impl From<rusqlite::Error> for LibraryError {
             _ => Self::Database(error),
         }
     }
-}
-
-/// Returns what the system says of an error, without its number.
-pub(crate) fn words(error: &std::io::Error) -> String {
-    let text = error.to_string();
-    text.split(" (os error").next().unwrap_or_default().to_owned()
 }

@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex};
 use common::{bvh, Stage};
 use motion_theater_core::loaded::Loaded;
 use motion_theater_library::catalogue::{Edit, Field};
+use motion_theater_library::query::{Order, Query};
 use motion_theater_library::scan::{Options, Previews, Scan};
 use motion_theater_library::LibraryError;
 
@@ -139,6 +140,54 @@ fn a_rescan_never_overwrites_what_the_user_wrote() {
     stage.library.edit(&[clip.id], &[Edit::Field(Field::Subject, None), Edit::Field(Field::Cleaned, None)]).unwrap();
     let clip = stage.clip("a.csm");
     assert_eq!((clip.subject.as_deref(), clip.cleaned), (Some("Alan B."), None), "what was below it shows again");
+}
+
+#[test]
+fn a_sidecar_goes_before_the_file_and_the_user_before_both() {
+    let csm = "$Actor Ada\n$Rate 60\n$Order a\n$Points\n1 0 0 0\n2 0 0 1\n";
+    let stage = Stage::with(&[("a.csm", csm), ("a.i3d", "Subject: Grace\nCleaned: Yes\nDate: 2004-05-31\n")]);
+    assert_eq!(stage.scan().new, 1);
+    let clip = stage.clip("a.csm");
+    assert_eq!((clip.subject.as_deref(), clip.cleaned), (Some("Grace"), Some(true)));
+    assert_eq!(clip.recorded_on.as_deref(), Some("2004-05-31"));
+    assert_eq!(clip.sources[2], ("subject".to_owned(), "SIDECAR".to_owned()));
+    assert_eq!(stage.scan().total, 0);
+    stage.library.edit(&[clip.id], &texts(&[(Field::Subject, "Alan")])).unwrap();
+    stage.put("a.i3d", "Subject: Mary\n");
+    let progress = stage.scan();
+    assert_eq!((progress.total, progress.changed), (0, 0), "the motion is what it was");
+    let clip = stage.clip("a.csm");
+    assert_eq!((clip.subject.as_deref(), clip.cleaned), (Some("Alan"), None));
+    std::fs::remove_file(stage.path("a.i3d")).unwrap();
+    stage.library.edit(&[clip.id], &[Edit::Field(Field::Subject, None)]).unwrap();
+    assert_eq!(stage.scan().total, 0);
+    assert_eq!(stage.clip("a.csm").subject.as_deref(), Some("Ada"));
+}
+
+#[test]
+fn clips_are_found_by_their_words_as_soon_as_they_are_scanned() {
+    let csm = "$Actor Ada\n$Rate 60\n$Order a\n$Points\n1 0 0 0\n2 0 0 1\n";
+    let stage = Stage::with(&[("slow/walk.bvh", &bvh(5, 0)), ("run.csm", csm)]);
+    stage.scan();
+    let found = |words: &str| {
+        let query = Query::parse(words).unwrap();
+        let clips = stage.library.clips(&stage.library.search(&query, Order::default()).unwrap()).unwrap();
+        clips.into_iter().map(|clip| clip.name).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        (found("walk"), found("slow wa"), found("ada")),
+        (vec!["walk.bvh".into()], vec!["walk.bvh".into()], vec!["run.csm".into()])
+    );
+    stage.rename("slow/walk.bvh", "fast/jog.bvh");
+    stage.put("run.csm", &csm.replace("Ada", "Grace"));
+    stage.scan();
+    assert_eq!(
+        (found("walk"), found("jog"), found("ada"), found("grace")),
+        (vec![], vec!["jog.bvh".into()], vec![], vec!["run.csm".into()])
+    );
+    let run = stage.clip("run.csm").id;
+    stage.library.tag(&[run], &["quick".to_owned()], &[]).unwrap();
+    assert_eq!(found("quick"), ["run.csm"], "what keeps the words up to date is awake again");
 }
 
 #[test]

@@ -8,7 +8,10 @@ use motion_theater_library::catalogue::{Edit, Field};
 const HUMAN: &str = include_str!("../../src/pairing/default_skeleton.asf");
 const AMC: &str = ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\nlfemur 1 2 3\n2\nroot 0 0 0 0 0 0\nlfemur 1 2 3\n";
 
-fn in_force(stage: &Stage, name: &str) -> (Option<String>, Option<String>, Option<bool>, Vec<(i64, i64)>) {
+/// Subject, date, cleaned or not, usable segments.
+type InForce = (Option<String>, Option<String>, Option<bool>, Vec<(i64, i64)>);
+
+fn in_force(stage: &Stage, name: &str) -> InForce {
     let clip = stage.clip(name);
     (clip.subject, clip.recorded_on, clip.cleaned, clip.segments)
 }

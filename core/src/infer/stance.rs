@@ -5,6 +5,7 @@ use super::Answer;
 use crate::motion::Motion;
 use crate::pose::pose;
 use crate::skeleton::Skeleton;
+use crate::upright::axis_name;
 use glam::DVec3;
 
 /// How many frames of a motion are looked at, spread over all of it ...
@@ -189,10 +190,4 @@ fn nearest_axis(direction: DVec3) -> Option<(DVec3, f64)> {
     let axes = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
     let with_cosine = axes.map(|axis| (axis, axis.dot(direction)));
     with_cosine.max_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-/// Returns an axis as people write it: `Y`, `-Z`.
-pub(super) fn axis_name(axis: DVec3) -> &'static str {
-    let names = [(DVec3::X, "X"), (DVec3::Y, "Y"), (DVec3::Z, "Z"), (-DVec3::X, "-X"), (-DVec3::Y, "-Y")];
-    names.into_iter().find(|(known, _)| *known == axis).map_or("-Z", |(_, name)| name)
 }

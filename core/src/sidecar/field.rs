@@ -102,7 +102,7 @@ impl Field {
                 &["date", "datum", "recordedon", "daterecorded", "recordingdate", "aufnahmedatum", "recorded"]
             }
             Self::Group => &["group", "gruppe", "sessiongroup", "session", "sitzung"],
-            Self::Subject => &["subject", "subjekt", "actor", "akteur", "performer", "darsteller", "person"],
+            Self::Subject => &["subject", "subjekt", "actor", "akteur", "performer", "darsteller", "proband", "person"],
             Self::Duration => &["duration", "dauer", "length", "länge"],
             Self::FrameRate => &[
                 "framerate",
@@ -126,6 +126,7 @@ impl Field {
                 "letzteänderungam",
                 "letzteänderung",
                 "zuletztgeändertam",
+                "zuletztgeändert",
                 "geändertam",
                 "lastchange",
                 "lastchanged",
@@ -150,6 +151,8 @@ impl Field {
                 "verwendbaresegmente",
                 "brauchbareabschnitte",
                 "verwendbareabschnitte",
+                "nutzbaresegmente",
+                "nutzbareabschnitte",
                 "usableparts",
                 "usablepieces",
                 "segments",

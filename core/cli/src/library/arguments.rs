@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
+use motion_theater_library::query::Sort;
 
 use crate::arguments::Workers;
 
@@ -19,6 +20,8 @@ pub struct LibraryOptions {
 pub enum LibraryCommand {
     /// Look for clips that are new, changed, moved or gone
     Scan(ScanOptions),
+    /// Find clips by what is known of them
+    Search(SearchOptions),
     /// Print everything that is known of clips
     Show(ShowOptions),
     /// Put tags on clips, and take others off
@@ -40,6 +43,26 @@ pub struct ScanOptions {
     pub json: bool,
     #[command(flatten)]
     pub workers: Workers,
+}
+
+#[derive(Debug, Args)]
+pub struct SearchOptions {
+    /// Words and terms: subject:07 walk 'rate>=100' -tag:done; without them all clips. What begins with a minus
+    /// comes after --
+    #[arg(value_name = "QUERY")]
+    pub query: Vec<String>,
+    /// What clips are ordered by: name, path, date, modified, duration, rate, frames, size, rating, used or relevance
+    #[arg(long, default_value = "name", value_parser = sort)]
+    pub sort: Sort,
+    /// Begin with the greatest
+    #[arg(long)]
+    pub descending: bool,
+    /// How many clips at most
+    #[arg(long, value_name = "N")]
+    pub limit: Option<usize>,
+    /// Print one JSON object per clip, one per line
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Debug, Args)]
@@ -70,4 +93,8 @@ pub struct ExportOptions {
     /// Print one JSON object per clip, one per line, instead of a table of values separated by commas
     #[arg(long)]
     pub json: bool,
+}
+
+fn sort(text: &str) -> Result<Sort, String> {
+    Sort::named(text).ok_or_else(|| format!("the orders are {}", Sort::list()))
 }

@@ -3,6 +3,7 @@
 mod arguments;
 mod export;
 mod scan;
+mod search;
 mod show;
 mod tag;
 
@@ -26,6 +27,7 @@ pub fn run(options: &LibraryOptions, console: &Console, stop: &AtomicBool) -> Ou
     let library = Arc::new(Library::open(&path(options)?).map_err(failed)?);
     match &options.command {
         LibraryCommand::Scan(options) => scan::run(&library, options, console, stop),
+        LibraryCommand::Search(options) => search::run(&library, options, console),
         LibraryCommand::Show(options) => show::run(&library, options, console),
         LibraryCommand::Tag(options) => tag::run(&library, options, console),
         LibraryCommand::Export(options) => export::run(&library, options, console),

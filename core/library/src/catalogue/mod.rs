@@ -55,6 +55,22 @@ impl Library {
         &self.path
     }
 
+    /// Looks at every page of the database, and returns what is wrong, a sentence each; nothing where all is well.
+    ///
+    /// # Errors
+    /// Where the library cannot be read at all.
+    pub fn check(&self) -> Result<Vec<String>, LibraryError> {
+        self.read(|db| {
+            let mut pages = db.prepare("PRAGMA integrity_check")?;
+            let pages = pages.query_map((), |row| row.get(0))?.collect::<Result<Vec<String>, _>>()?;
+            let mut links = db.prepare("PRAGMA foreign_key_check")?;
+            let links = links
+                .query_map((), |row| Ok(format!("a row of {} without what it belongs to", row.get::<_, String>(0)?)))?;
+            let wrong = pages.into_iter().filter(|text| text != "ok").map(Ok).chain(links);
+            Ok(wrong.collect::<Result<_, _>>()?)
+        })
+    }
+
     /// Reads with a connection of its own.
     pub(crate) fn read<T>(&self, task: impl FnOnce(&Connection) -> Result<T, LibraryError>) -> Result<T, LibraryError> {
         self.with_connection(|connection| task(connection))

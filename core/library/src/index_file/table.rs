@@ -79,9 +79,9 @@ fn row(record: &StringRecord, places: &Places) -> Option<Row> {
     if file.is_none() && numbers.is_none() {
         return None;
     }
-    // Where a number is part of the clip's name, the clip itself says it, and with its zeros.
-    let subject =
-        filled(Column::Subject).filter(|text| !text.bytes().all(|byte| byte.is_ascii_digit()) || numbers.is_none());
+    // The clip's own name says the same, and with its zeros.
+    let is_of_name = |text: &&str| numbers.is_some_and(|(subject, _)| text.parse() == Ok(subject));
+    let subject = filled(Column::Subject).filter(|text| !is_of_name(text));
     let is_cleaned = filled(Column::Cleaned).and_then(|word| cleaned(word).ok().flatten());
     let says = [
         (Field::Subject, subject.map(str::to_owned)),

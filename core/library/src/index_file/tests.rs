@@ -23,6 +23,7 @@ fn columns_are_known_by_what_stands_over_them() {
         told("File name;Date;Session;Cleaned;Actor\na.bvh;31.5.2004;A;ja;Jo\nb.bvh;soon;;perhaps;7\n"),
         ["a.bvh: subject Jo, recorded_on 2004-05-31, session_group A, cleaned 1", "b.bvh: subject 7"]
     );
+    assert_eq!(told("file,subject,note\n2_1,02,a\n2_1,5,b\n"), ["2_1: description a", "2_1: subject 5, description b"]);
     assert_eq!(told("Our clips\n\nTrial\tSubject\tComments\n3\t07\tjump\n"), ["(7, 3): description jump"]);
 }
 

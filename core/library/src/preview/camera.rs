@@ -22,8 +22,8 @@ const BROADER: f32 = 1.03;
 /// How far above the horizon the camera stands, in degrees.
 const ABOVE_DEG: f32 = 12.0;
 
-/// How much of the picture stays free around the figure, in pixels.
-const MARGIN: f32 = 7.0;
+/// How much of the picture stays free around joints and markers, in pixels: a head reaches beyond its joint.
+const MARGIN: f32 = 9.5;
 
 /// The camera follows where the whole way would make the figure smaller than by this.
 const FOLLOWED: f32 = 1.2;
@@ -105,19 +105,13 @@ impl Camera {
         let high = poses.iter().flatten().map(|point| point.z).fold(f32::NEG_INFINITY, f32::max);
         let floor = (low - floor < ABOVE_FLOOR * (high - low)).then_some(floor);
         let frame = |anchors: &[Vec3]| {
-            let spots = poses.iter().zip(anchors).flat_map(|(pose, anchor)| {
+            box_around(poses.iter().zip(anchors).flat_map(|(pose, anchor)| {
                 let on_floor = floor.map(|floor| anchor.with_z(floor));
                 pose.iter().copied().chain(on_floor).map(|point| {
                     let from = point - anchor.with_z(0.0);
                     Vec2::new(right.dot(from), up.dot(from))
                 })
-            });
-            let spots = spots.filter(|at| !at.is_nan());
-            spots
-                .fold(None, |frame: Option<(Vec2, Vec2)>, at| {
-                    Some(frame.map_or((at, at), |(low, high)| (low.min(at), high.max(at))))
-                })
-                .unwrap_or((Vec2::ZERO, Vec2::ZERO))
+            }))
         };
         let size = |(low, high): (Vec2, Vec2)| (high - low).max_element();
         let (of_all, of_figure) = (frame(&staying), frame(&following));
@@ -145,6 +139,13 @@ impl Camera {
         let is_near = at.abs().max_element() < FAR_OUTSIDE * SIZE as f32;
         is_near.then_some(Spot { at, near: self.towards.dot(from) })
     }
+}
+
+/// Returns the lowest and the highest coordinates; zeros of nothing.
+fn box_around(spots: impl Iterator<Item = Vec2>) -> (Vec2, Vec2) {
+    let known = spots.filter(|at| !at.is_nan());
+    let all = known.map(|at| (at, at)).reduce(|(low, high), (at, _)| (low.min(at), high.max(at)));
+    all.unwrap_or_default()
 }
 
 /// Returns how large the figure is on half of the frames: the longest edge of the box around it.

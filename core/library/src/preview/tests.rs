@@ -42,7 +42,9 @@ fn is_empty(frames: &Frames) -> bool {
 
 #[test]
 fn a_figure_is_drawn_upright_within_the_picture() {
-    let (skeleton, motion) = (legs(), kick());
+    let (mut skeleton, motion) = (legs(), kick());
+    let head = Bone { name: "Head".to_owned(), offset: DVec3::Y * 60.0, ..skeleton.bones[6].clone() };
+    skeleton.bones.push(head);
     let picture = still(&draw(&Actor::of_skeleton(&skeleton, Some(&motion))));
     assert_eq!((picture.width, picture.height), (SIZE, SIZE));
     let opaque = |at: usize| picture.rgba[at * 4 + 3] > 200;

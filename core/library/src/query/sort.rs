@@ -70,11 +70,12 @@ pub struct Order {
 }
 
 /// What one clip is ordered by. All those of a column are of one kind.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Key {
     Integer(i64),
     Real(f64),
-    Text(String),
+    /// A date, which has ten letters at most: copied and compared without memory of its own.
+    Text([u8; 16]),
 }
 
 impl Key {
@@ -84,7 +85,11 @@ impl Key {
             ValueRef::Null | ValueRef::Blob(_) => None,
             ValueRef::Integer(value) => Some(Self::Integer(value)),
             ValueRef::Real(value) => Some(Self::Real(value)),
-            ValueRef::Text(text) => Some(Self::Text(String::from_utf8_lossy(text).into_owned())),
+            ValueRef::Text(text) => {
+                let mut key = [0; 16];
+                key.iter_mut().zip(text).for_each(|(place, byte)| *place = *byte);
+                Some(Self::Text(key))
+            }
         }
     }
 

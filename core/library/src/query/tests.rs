@@ -255,3 +255,15 @@ fn as_many_terms_as_a_query_may_have_are_answered() {
     assert_eq!(search("walk run -jump -subject:7 -rate>5 ".repeat(20)), [1]);
     assert_eq!(search("a.".repeat(5000)), [0; 0]);
 }
+
+#[test]
+fn every_example_of_the_document_is_understood() {
+    let page = include_str!("../../../../docs/library.md");
+    let section = page.split("\n## ").find(|section| section.starts_with("Searching")).expect("a section");
+    let firsts = section.lines().filter_map(|line| line.strip_prefix("| `")?.split(" | ").next());
+    let examples: Vec<&str> = firsts.flat_map(|cell| cell.trim_end_matches('`').split("` `")).collect();
+    assert!(examples.len() > 30, "{examples:?}");
+    for example in examples {
+        Query::parse(example).expect(example);
+    }
+}

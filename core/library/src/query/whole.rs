@@ -25,8 +25,11 @@ impl WholeValue {
         }
     }
 
-    /// Returns whether `text` is what was asked for.
+    /// Returns whether `text` is what was asked for; a blank one never is, for it says nothing.
     pub(super) fn is_met_by(&self, text: &str) -> bool {
+        if text.trim().is_empty() {
+            return false;
+        }
         match self {
             Self::Number(digits) => without_zeros(text.trim()) == Some(digits),
             Self::Text(whole) => folded(text) == *whole,
@@ -81,7 +84,7 @@ mod tests {
     #[test]
     fn a_star_asks_for_a_beginning() {
         assert!(is_met("ann*", "Anna") && is_met("*", "anything") && is_met("0*", "07"));
-        assert!(!is_met("ann*", "Hanna"));
+        assert!(!is_met("ann*", "Hanna") && !is_met("*", " "));
         assert!(WholeValue::new("a*", true).is_met_by("A*") && !WholeValue::new("a*", true).is_met_by("ab"));
     }
 

@@ -191,7 +191,7 @@ fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state
             let root =
                 |row: &rusqlite::Row<'_>| Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) });
             let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
-            batch.iter().try_for_each(|reading| writer::write(db, &roots, plan, reading, state))
+            writer::write_all(db, &roots, plan, &batch, state)
         })?;
     }
     Ok(())

@@ -97,6 +97,10 @@ impl PyLibrary {
         self.with(py, |library| scan::start(library, folders, with_previews, jobs))
     }
 
+    fn check(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.with(py, |library| library.check())
+    }
+
     fn count(&self, py: Python<'_>) -> PyResult<u32> {
         self.with(py, |library| library.count())
     }

@@ -11,7 +11,7 @@ CREATE TABLE folder (
 -- A file. What people say of it (subject to cleaned) is the value in force: see `told`.
 CREATE TABLE clip (
     id INTEGER PRIMARY KEY,
-    folder_id INTEGER NOT NULL REFERENCES folder (id) ON DELETE CASCADE,
+    folder_id INTEGER NOT NULL REFERENCES folder (id) ON DELETE CASCADE DEFERRABLE INITIALLY DEFERRED,
     path TEXT NOT NULL UNIQUE,
     name TEXT NOT NULL,
     folder TEXT NOT NULL,
