@@ -1,6 +1,7 @@
 //! Frame rates as they are meant.
 
 use std::cmp::Ordering;
+use std::ops::RangeInclusive;
 
 /// Relative distance within which a written rate means a usual one: `0.0083333` s is 120 Hz, `29.97` is 30/1.001.
 const ROUNDING: f64 = 1e-4;
@@ -53,8 +54,8 @@ const COMMON_RATES_HZ: [f64; 27] = [
 /// Nobody captures motion slower than this: a longer frame time is one that was written for a rate.
 const LONGEST_FRAME_S: f64 = 10.0;
 
-/// Rates beyond this are damage.
-pub(crate) const HIGHEST_RATE_HZ: f64 = 1e6;
+/// Rates outside these are damage. They are the same for every format, so that what one can say all others can.
+pub(crate) const RATES_HZ: RangeInclusive<f64> = 1e-3..=1e6;
 
 /// A rate that was worked out from a frame time.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,8 +66,8 @@ pub struct FrameRate {
     pub doubt: Option<String>,
 }
 
-/// Returns the rate that a frame time in seconds stands for; `None` where it is not above 0, or so small that it
-/// is damage.
+/// Returns the rate that a frame time in seconds stands for; `None` where it is not above 0, or so small or large that
+/// it is damage.
 ///
 /// Files round: `0.0083333` is 120 Hz, and so is `0.0083`. What is nearer to a usual rate than [`usual_rate`] asks for is
 /// that one. Else the digits say how far off the time may be, and a common rate within that is taken, with doubt
@@ -76,11 +77,14 @@ pub fn rate_of_frame_time(seconds: f64) -> Option<FrameRate> {
         return None;
     }
     if seconds >= LONGEST_FRAME_S {
+        if !RATES_HZ.contains(&seconds) {
+            return None;
+        }
         let doubt = format!("A frame time of {seconds} s is taken as {seconds} frames per second");
         return Some(FrameRate { hz: usual_rate(seconds), doubt: Some(doubt) });
     }
     let hz = 1.0 / seconds;
-    if hz > HIGHEST_RATE_HZ {
+    if !RATES_HZ.contains(&hz) {
         return None;
     }
     if let Some(hz) = usual_rate_near(hz) {

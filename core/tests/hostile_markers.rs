@@ -275,7 +275,7 @@ messages!(read_csm {
     a_csm_with_no_rate_behind_rate: "$rate\n$order a\n$points" =>
         "line 1, column 1: expected one number for `$rate`, found none";
     a_csm_with_a_rate_of_zero: "$rate 0\n$order a\n$points" =>
-        "line 1, column 7: expected a number of frames per second above 0 and up to 1000000, found `0`";
+        "line 1, column 7: expected a number of frames per second from 0.001 to 1000000, found `0`";
     a_csm_with_an_infinite_coordinate: "$order a\n$points\n1 1 inf 3" =>
         "line 3, column 5: expected a coordinate or `DROPOUT`, a finite number, found `inf`";
 });

@@ -3,7 +3,7 @@
 use super::AmcHeader;
 use crate::error::ParseError;
 use crate::formats::AngleUnit;
-use crate::rate::HIGHEST_RATE_HZ;
+use crate::rate::RATES_HZ;
 use crate::text::{decode, Lines, Words};
 
 /// The comment in which Vicon's programs name the skeleton.
@@ -64,9 +64,9 @@ fn read_rate(words: &mut Words<'_>) -> Result<f64, ParseError> {
     let what = "a number of samples per second";
     let word = words.expect(what)?;
     let rate = word.number(what)?;
-    if rate > 0.0 && rate <= HIGHEST_RATE_HZ {
+    if RATES_HZ.contains(&rate) {
         Ok(rate)
     } else {
-        Err(word.unexpected(format_args!("{what} above 0 and up to {HIGHEST_RATE_HZ}")))
+        Err(word.unexpected(format_args!("{what} from {} to {}", RATES_HZ.start(), RATES_HZ.end())))
     }
 }

@@ -168,7 +168,7 @@ fn wrong_files_are_refused_in_words() {
         ("hello\n".to_owned(), "line 1, column 1: expected the number of the first frame, alone on its line, found `hello`"),
         (":DEGREES\n:RADIANS\n".to_owned(), "line 2, column 1: expected nothing that contradicts an earlier line, found `:RADIANS`"),
         (":SAMPLES-PER-SECOND\n".to_owned(), "line 1, column 20: expected a number of samples per second, found the end of the line"),
-        (":SAMPLES-PER-SECOND 0\n".to_owned(), "line 1, column 21: expected a number of samples per second above 0 and up to 1000000, found `0`"),
+        (":SAMPLES-PER-SECOND 0\n".to_owned(), "line 1, column 21: expected a number of samples per second from 0.001 to 1000000, found `0`"),
         (":DEGREES\n1\n".to_owned(), "line 3, column 1: expected a bone with its values, found the end of the file"),
         (":DEGREES\n1\n2\na 1\n".to_owned(), "line 3, column 1: expected a bone with its values in frame 1, found `2`"),
         (":DEGREES\n99999999999999999999\n".to_owned(), "line 2, column 1: expected a frame number of a bearable size, found `99999999999999999999`"),

@@ -13,7 +13,7 @@
 use super::encoding::Storage;
 use super::header::{Header, BLOCK_BYTES};
 use super::parameters::{Index, Parameter, ParameterType};
-use crate::rate::HIGHEST_RATE_HZ;
+use crate::rate::RATES_HZ;
 
 /// What lies where in the data.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,9 +116,6 @@ fn long_number(parameter: Parameter<'_>) -> Option<i64> {
         _ => None,
     }
 }
-
-/// Rates beyond these are damage.
-const RATES_HZ: std::ops::RangeInclusive<f64> = 1e-3..=HIGHEST_RATE_HZ;
 
 pub(super) fn rate(parameter: Parameter<'_>) -> Option<f64> {
     usable_rate(parameter.number()? as f32)

@@ -5,7 +5,7 @@ use crate::error::ParseError;
 use crate::formats::fields::words;
 use crate::formats::kind::{self, Kind};
 use crate::number::read_prefix;
-use crate::rate::HIGHEST_RATE_HZ;
+use crate::rate::RATES_HZ;
 use crate::text::{decode, is_blank, Lines, Word, Words, LARGEST};
 
 /// The word in place of the coordinates of a marker that was not seen.
@@ -105,10 +105,10 @@ impl<'a> Reader<'a> {
         let word = self.value(keyword, rest)?;
         let what = "a number of frames per second";
         let rate = word.number(what)?;
-        if rate > 0.0 && rate <= HIGHEST_RATE_HZ {
+        if RATES_HZ.contains(&rate) {
             Ok(rate)
         } else {
-            Err(word.unexpected(format_args!("{what} above 0 and up to {HIGHEST_RATE_HZ}")))
+            Err(word.unexpected(format_args!("{what} from {} to {}", RATES_HZ.start(), RATES_HZ.end())))
         }
     }
 

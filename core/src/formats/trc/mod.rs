@@ -18,7 +18,7 @@ mod skim;
 mod write;
 
 use crate::error::ParseError;
-use crate::rate::HIGHEST_RATE_HZ;
+use crate::rate::RATES_HZ;
 
 /// What a TRC file says, in its own units and order.
 #[derive(Debug, Clone, Default)]
@@ -61,7 +61,7 @@ impl Trc {
             [first, .., last] if last > first => Some((self.times.len() - 1) as f64 / (last - first)),
             _ => None,
         };
-        let is_rate = |rate: &f64| *rate > 0.0 && *rate <= HIGHEST_RATE_HZ;
+        let is_rate = |rate: &f64| RATES_HZ.contains(rate);
         rate.filter(is_rate).or_else(|| by_times().filter(is_rate))
     }
 
