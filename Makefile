@@ -81,16 +81,20 @@ bench: build/venv/bpy-$(NEWEST)/.module ## Measure the speed, as ratios against 
 # libFuzzer alone, without the address sanitizer: that works with the stable compiler, and the readers hold no unsafe code.
 FUZZ_TARGETS := asf amc bvh c3d csm trc
 FUZZ_SECONDS ?= 600
+FUZZ_KEEP ?= build/fuzz
 fuzz fuzz-smoke: export PATH := $(CURDIR)/build/tools/bin:$(PATH)
 fuzz: build/fuzz/.ready ## Fuzz each reader for ten minutes
 	for target in $(FUZZ_TARGETS); do \
-	    mkdir -p build/fuzz/$$target core/fuzz/corpus/$$target && \
-	    cargo fuzz run --fuzz-dir core/fuzz --sanitizer none $$target build/fuzz/$$target core/fuzz/corpus/$$target -- \
-	        -dict=core/fuzz/words.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 || exit 1; \
+	    mkdir -p $(FUZZ_KEEP)/$$target core/fuzz/corpus/$$target && \
+	    cargo fuzz run --fuzz-dir core/fuzz --sanitizer none $$target $(FUZZ_KEEP)/$$target core/fuzz/corpus/$$target -- \
+	        -dict=core/fuzz/words.dict -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 $(FUZZ_FLAGS) || exit 1; \
 	done
 
+# Begins anew from the same seed each time: a failure can be had again, and is the change's own.
 fuzz-smoke: ## Fuzz each reader for ten seconds, where there is a C++ compiler
-	@if command -v c++ >/dev/null; then $(LIMIT) $(MAKE) fuzz FUZZ_SECONDS=10; \
+	@rm -rf build/fuzz-smoke
+	@if command -v c++ >/dev/null; then \
+	    $(LIMIT) $(MAKE) fuzz FUZZ_SECONDS=10 FUZZ_KEEP=build/fuzz-smoke FUZZ_FLAGS=-seed=1; \
 	else echo "fuzz-smoke: not run, libFuzzer needs a C++ compiler (c++), which is not here"; fi
 
 # -- The extension ----------------------------------------------------------------------------------------------------
