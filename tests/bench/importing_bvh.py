@@ -7,7 +7,6 @@ one with its frames repeated. Blender itself keeps every key twice, in the Actio
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 import tempfile
@@ -70,7 +69,6 @@ def repeated(bvh: Path, path: Path, size: int) -> Path:
 
 def _import(who: str, bvh: Path) -> Import:
     command = [sys.executable, "-m", "tests.bench.one_import", who, str(bvh)]
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=True)
+    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     seconds, memory, keys = done.stdout.splitlines()[-1].split()
     return Import(float(seconds), float(memory) / 1e6, int(keys))
