@@ -19,7 +19,11 @@ pub(super) fn read_name(tokens: &mut Tokens<'_>) -> String {
     let mut behind = tokens.clone();
     behind.advance(end);
     if name.ends_with(b"{") && behind.peek().is_none_or(|word| word.bytes != b"{") {
-        name = trim(name.get(..name.len() - 1).unwrap_or_default());
+        name = without_last(name);
+        // `a {{`: what is left would open the joint too.
+        while name.len().checked_sub(1).is_some_and(|last| is_lone_brace(name, last, 0)) {
+            name = without_last(name);
+        }
     } else {
         *tokens = behind;
         return decode(name);
@@ -70,6 +74,10 @@ pub(super) fn name_for_file(name: &str) -> String {
     decode(&(0..line.len()).map(fit).collect::<Vec<_>>())
 }
 
+fn without_last(name: &[u8]) -> &[u8] {
+    trim(name.split_last().map_or(name, |(_, rest)| rest))
+}
+
 fn trim(line: &[u8]) -> &[u8] {
     let start = line.iter().take_while(|byte| is_space(**byte)).count();
     let end = line.iter().rposition(|byte| !is_space(*byte)).map_or(start, |last| last + 1);
@@ -92,11 +100,22 @@ mod tests {
             ("\n{", ""),
             ("{", ""),
             (" {a}", ""),
+            (" ROOT a {{\nOFFSET", "ROOT a"),
             (" \u{fc}\n", "\u{fc}"),
         ] {
             assert_eq!(read_name(&mut Tokens::new(line.as_bytes())), name, "{line:?}");
         }
         assert_eq!(read_name(&mut Tokens::new(b"H\xFCfte")), "H\u{fc}fte");
+    }
+
+    #[test]
+    fn what_is_read_as_a_name_is_written_as_it_is() {
+        const LETTERS: [u8; 4] = *b"a{ \n";
+        for number in 0..4_usize.pow(8) {
+            let line: Vec<u8> = (0..8).map(|place| LETTERS[number >> (2 * place) & 3]).collect();
+            let name = read_name(&mut Tokens::new(&line));
+            assert_eq!(name_for_file(&name), name, "{:?}", decode(&line));
+        }
     }
 
     #[test]
