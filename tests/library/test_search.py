@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -94,6 +95,9 @@ FILTERS: dict[str, Filter] = {
     "skeleton:02.asf": lambda c: (c.skeleton_path or "").endswith("/02.asf"),
     "group:a": lambda c: (c.session_group or "").lower() == "a",
     "markers>=20 -joints>1": lambda c: c.markers is not None and c.markers >= 20 and not (c.joints or 0) > 1,
+    "used:yes rating>=4": lambda c: c.used_at is not None and c.rating >= 4,
+    "used:no favourite:yes": lambda c: c.used_at is None and c.is_favourite,
+    "used:2000w": lambda c: c.used_at is not None and c.used_at >= time.time() - 2000 * 7 * 86_400,
 }
 
 

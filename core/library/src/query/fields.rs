@@ -71,12 +71,14 @@ pub enum Field {
     Number(NumberField),
     /// The day of the recording.
     Date,
+    /// When the user last used it.
+    Used,
     /// The kind of file.
     Format,
 }
 
 /// Every field by its name, with an example of its use.
-const FIELDS: [(&str, Field, &str); 21] = [
+const FIELDS: [(&str, Field, &str); 22] = [
     ("subject", Field::Whole(WholeField::Subject), "subject:07"),
     ("format", Field::Format, "format:bvh"),
     ("tag", Field::Whole(WholeField::Tag), "tag:walk"),
@@ -98,6 +100,7 @@ const FIELDS: [(&str, Field, &str); 21] = [
     ("missing", Field::Flag(FlagField::Missing), "missing:yes"),
     ("broken", Field::Flag(FlagField::Broken), "broken:no"),
     ("favourite", Field::Flag(FlagField::Favourite), "favourite:yes"),
+    ("used", Field::Used, "used:7d"),
 ];
 
 impl Field {
@@ -118,7 +121,7 @@ impl Field {
             Self::Text(field) => field == TextField::Description,
             Self::Flag(field) => field == FlagField::Cleaned,
             Self::Number(field) => !matches!(field, NumberField::Rating | NumberField::Size),
-            Self::Whole(_) | Self::Date => true,
+            Self::Whole(_) | Self::Date | Self::Used => true,
             Self::Format => false,
         }
     }

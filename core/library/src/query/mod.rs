@@ -23,6 +23,7 @@ mod sets;
 mod sort;
 mod split;
 mod sql;
+mod used;
 mod whole;
 
 #[cfg(test)]
@@ -89,6 +90,11 @@ pub enum Condition {
         field: FlagField,
         /// Whether it is so.
         value: bool,
+    },
+    /// The user has used it.
+    Used {
+        /// Not longer ago than so many seconds; at any time without this.
+        within_s: Option<i64>,
     },
     /// The file is of a kind.
     Format {

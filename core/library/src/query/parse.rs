@@ -5,7 +5,7 @@ use motion_theater_core::read::Format;
 use super::error::QueryError;
 use super::fields::{Field, FlagField, NumberField};
 use super::split::{split, Operator, Piece};
-use super::{dates, numbers, Condition, Query, Term, WholeValue};
+use super::{dates, numbers, used, Condition, Query, Term, WholeValue};
 
 /// More is no search but an accident, and `SQLite` has limits of its own.
 const TERM_LIMIT: usize = 100;
@@ -89,6 +89,7 @@ fn condition(piece: &Piece<'_>, field: Field, operator: Operator) -> Result<Cond
                 .ok_or_else(|| wrong(if flag == FlagField::Cleaned { "yes, no or unknown" } else { "yes or no" }))?;
             Ok(Condition::Flag { field: flag, value })
         }
+        Field::Used => used::condition(value).ok_or_else(|| wrong("yes, no or a time until now as 12h, 7d, 2w")),
         Field::Format => {
             let format = Format::from_extension(value.trim_start_matches('.'));
             let extension = format.map(Format::extension);
@@ -159,6 +160,7 @@ mod tests {
             ("-subject>7", "`-subject>7`: expected a colon, for this cannot be greater or less, such as subject:07"),
             ("cleaned:maybe", "`cleaned:maybe`: expected yes, no or unknown, such as cleaned:yes"),
             ("missing:none", "`missing:none`: expected yes or no, such as missing:yes"),
+            ("used:lately", "`used:lately`: expected yes, no or a time until now as 12h, 7d, 2w, such as used:7d"),
             (
                 "duration:10..2",
                 "`duration:10..2`: expected a time in seconds, or with a unit as 90s, 1.5min, 1:30, as a range with its \

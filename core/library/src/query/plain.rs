@@ -10,6 +10,7 @@ use std::ops::RangeBounds;
 use rusqlite::Connection;
 
 use super::{Condition, Field, FlagField, NumberField, Order, Query, Sort, TextField, WholeField};
+use crate::catalogue::now;
 
 /// A clip as a query sees it.
 #[derive(Debug, Clone, Default)]
@@ -113,6 +114,9 @@ fn is_met(clip: &PlainClip, condition: &Condition, words: &Words) -> bool {
         Condition::Number { field, bounds } => number(clip, *field).is_some_and(|number| bounds.contains(&number)),
         Condition::Date { bounds } => clip.recorded_on.as_ref().is_some_and(|date| bounds.contains(date)),
         Condition::Flag { field, value } => flag(clip, *field) == Some(*value),
+        Condition::Used { within_s } => {
+            clip.used_at.is_some_and(|at| within_s.is_none_or(|seconds| now() - at <= seconds))
+        }
         Condition::Format { extension } => clip.format == *extension,
         Condition::Unknown(field) => is_unknown(clip, *field),
     }
@@ -171,6 +175,7 @@ fn is_unknown(clip: &PlainClip, field: Field) -> bool {
         Field::Text(_) => is_blank(&clip.description),
         Field::Number(field) => number(clip, field).is_none(),
         Field::Date => clip.recorded_on.is_none(),
+        Field::Used => clip.used_at.is_none(),
         Field::Flag(field) => flag(clip, field).is_none(),
         Field::Format => false,
     }

@@ -6,6 +6,7 @@ use std::ops::Bound;
 use rusqlite::types::Value;
 
 use super::{Bounds, Condition, Field, FlagField, NumberField, Query, Term, TextField};
+use crate::catalogue::now;
 
 /// A condition on the columns of `clip`, with its values.
 #[derive(Debug, Default, PartialEq)]
@@ -49,6 +50,10 @@ impl Where {
             }
             Condition::Date { bounds } => self.between(column(Field::Date)?, bounds, |text| text.clone().into()),
             Condition::Flag { field, value } => self.compare(column(Field::Flag(*field))?, "=", (*value).into()),
+            Condition::Used { within_s: None } => format!("{} IS NOT NULL", column(Field::Used)?),
+            Condition::Used { within_s: Some(seconds) } => {
+                self.compare(column(Field::Used)?, ">=", now().saturating_sub(*seconds).into())
+            }
             Condition::Format { extension } => {
                 self.compare(column(Field::Format)?, "=", (*extension).to_owned().into())
             }
@@ -85,6 +90,7 @@ fn column(field: Field) -> Option<&'static str> {
         Field::Number(NumberField::Joints) => "joints",
         Field::Number(NumberField::Markers) => "markers",
         Field::Date => "recorded_on",
+        Field::Used => "used_at",
         Field::Format => "format",
         Field::Flag(FlagField::Cleaned) => "cleaned",
         Field::Flag(FlagField::Missing) => "is_missing",

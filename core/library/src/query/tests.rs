@@ -6,7 +6,7 @@ use rusqlite::params;
 
 use super::plain::{self, PlainClip};
 use super::{Order, Query, Sort};
-use crate::catalogue::Library;
+use crate::catalogue::{now, Library};
 
 /// Words that are alike, in letters that fold, join and divide in every way.
 const WORDS: [&str; 28] = [
@@ -78,7 +78,7 @@ prop_compose! {
         clip in texts(), rate_hz in prop::option::of(select(&RATES[..])), duration_s in prop::option::of(select(&TIMES[..])),
         height_m in prop::option::of(select(&[1.5, 1.795, 1.8, 1.805][..])), frames in prop::option::of(0..3_i64),
         joints in prop::option::of(30..32_i64), markers in prop::option::of(30..32_i64), size in 999_999..1_000_002_i64,
-        modified_ns in (1_i64 << 60)..(1 << 60) + 3, used_at in prop::option::of(0..3_i64), rating in 0..6_i64,
+        modified_ns in (1_i64 << 60)..(1 << 60) + 3, used_at in used_at(), rating in 0..6_i64,
         cleaned in any::<Option<bool>>(), is_missing: bool, is_favourite: bool,
     ) -> PlainClip {
         PlainClip {
@@ -86,6 +86,12 @@ prop_compose! {
             is_favourite, ..clip
         }
     }
+}
+
+/// Long ago, or half an hour short of some days: a test takes less than that.
+fn used_at() -> impl Strategy<Value = Option<i64>> {
+    let lately = (0..20_i64).prop_map(|days| now() - days * 86_400 + 1_800);
+    prop::option::of(prop_oneof![0..3_i64, lately])
 }
 
 fn clips() -> impl Strategy<Value = Vec<PlainClip>> {
@@ -138,7 +144,8 @@ fn term() -> impl Strategy<Value = String> {
             .prop_map(|(operator, date)| format!("date{operator}{date}")),
         2 => of(&[
             "cleaned:yes", "cleaned:no", "cleaned:unknown", "missing:yes", "broken:yes", "broken:no", "favourite:yes",
-            "format:bvh", "rate:none", "frames:none", "description:none", "tag:none",
+            "format:bvh", "rate:none", "frames:none", "description:none", "tag:none", "used:yes", "used:no", "used:none",
+            "used:12h", "used:7d", "used:2w", "used:2000w",
         ]),
     ]
 }
