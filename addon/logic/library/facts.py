@@ -36,6 +36,11 @@ def count(number: int, one: str, many: str) -> str:
     return f"1 {one}" if number == 1 else f"{number:,} {many}"
 
 
+def span(first: int, last: int) -> str:
+    """Return a range of frame numbers."""
+    return f"{first}-{last}" if first >= 0 else f"{first} to {last}"
+
+
 def stars(rating: int) -> str:
     """Return a rating as stars."""
     return "★" * rating + "☆" * (5 - rating) if rating else ""

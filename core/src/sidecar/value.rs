@@ -43,11 +43,12 @@ fn segment(text: &str) -> Option<Segment> {
     (is_whole && first <= last).then_some(Segment { first_frame: first, last_frame: last, note })
 }
 
-/// Returns a frame number and the text behind it.
+/// Returns a frame number, which may be below zero, and the text behind it.
 fn number(text: &str) -> Option<(i64, &str)> {
     let text = text.trim_start();
-    let digits = text.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(text.len());
-    let (number, rest) = text.split_at(digits);
+    let sign = usize::from(text.starts_with('-'));
+    let digits = text.bytes().skip(sign).take_while(u8::is_ascii_digit).count();
+    let (number, rest) = text.split_at(sign + digits);
     Some((number.parse().ok()?, rest))
 }
 

@@ -115,13 +115,29 @@ def test_a_mark_beyond_the_other_takes_it_away() -> None:
 
 
 @given(st.integers(-500, 500), st.integers(1, 1000), st.data())
-def test_a_cut_is_never_taken_for_none(first: int, length: int, data: st.DataObject) -> None:
-    marks = Marks(first, first + length)
-    frame = data.draw(st.integers(first + 1, first + length))
-    begin, _ = marks.with_begin(frame).cut()
-    assert begin != 0
-    assert abs(begin - frame) <= 1
-    assert marks.with_begin(first).cut()[0] == 0
+def test_what_is_shown_between_the_marks_is_what_the_cut_gives(first: int, length: int, data: st.DataObject) -> None:
+    last = first + length
+    frame = data.draw(st.integers(first, last))
+    for marks, shown in (
+        (Marks(first, last).with_begin(frame), lambda marks: marks.range[0]),
+        (Marks(first, last).with_end(frame), lambda marks: marks.range[1]),
+    ):
+        start, end = marks.cut()
+        assert (start or first, end or last) == marks.range
+        assert first <= marks.range[0] <= marks.range[1] <= last
+        assert shown(marks) == frame or (frame == 0 and abs(shown(marks)) == 1)
+
+
+def test_a_mark_on_frame_zero_inside_of_a_clip_is_set_on_the_next_one() -> None:
+    below_zero = Marks(-10, 10)
+    assert below_zero.with_begin(0).range == (1, 10)
+    assert below_zero.with_end(0).range == (-10, -1)
+    from_zero = Marks(0, 10)
+    assert from_zero.with_begin(0).cut() == (0, 0)
+    assert from_zero.with_end(0).range == (0, 1)
+    assert Marks(-10, 0).with_begin(0).range == (-1, 0)
+    assert Marks(-10, 0).with_end(0).cut() == (0, 0)
+    assert Marks(0, 0).with_begin(0).with_end(0).cut() == (0, 0)
 
 
 TIMELINE = Timeline(Rect(100, 10, 400, 16), 1, 401)

@@ -201,4 +201,11 @@ fn segments_are_written_as_they_are_read() {
     ];
     assert_eq!(segments_text(&pieces), "20-180, 200-316 (walks on)");
     assert_eq!(segments(&segments_text(&pieces)), pieces);
+    let below_zero = [(-10, -2), (-1, 0), (0, 0), (0, 5)].map(|(first_frame, last_frame)| Segment {
+        first_frame,
+        last_frame,
+        note: String::new(),
+    });
+    assert_eq!(segments_text(&below_zero), "-10 to -2, -1 to 0, 0-0, 0-5");
+    assert_eq!(segments(&segments_text(&below_zero)), below_zero);
 }

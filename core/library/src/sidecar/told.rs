@@ -24,7 +24,9 @@ pub fn segments_text(segments: &[Segment]) -> String {
         // What separates two segments cannot be part of one.
         let note = segment.note.replace([',', ';', '\n', '\r'], " ");
         let note = if note.trim().is_empty() { String::new() } else { format!(" ({})", note.trim()) };
-        format!("{}-{}{note}", segment.first_frame, segment.last_frame)
+        // Between numbers below zero, a hyphen would be hard to read.
+        let between = if segment.first_frame < 0 { " to " } else { "-" };
+        format!("{}{between}{}{note}", segment.first_frame, segment.last_frame)
     };
     segments.iter().map(one).collect::<Vec<_>>().join(", ")
 }
