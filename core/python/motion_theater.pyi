@@ -727,11 +727,22 @@ class Library:
         columns; without it that is guessed. Raises ParameterError where the list does not say which clips it means."""
 
     def mark_used(self, id: int) -> None: ...
-    def write_sidecar(self, id: int, *, today: str | None = None, who: str | None = None) -> str:
+    def sidecar(self, id: int) -> Sidecar:
+        """Open the sidecar of a clip, or make a new one with what the library knows of it and else the clip itself tells.
+
+        After `save`, `read_sidecar` lets the library know."""
+
+    def write_sidecar(
+        self, id: int, *, emptied: Sequence[str] = ..., today: str | None = None, who: str | None = None
+    ) -> str:
         """Write what is known of a clip to the sidecar beside it, which is made where there is none; return its path.
 
-        What means the same already, and what the library does not know, stays as it is. `today` (an ISO date) and `who`
-        are those of the system where they are not given."""
+        What means the same already, and what the library does not know, stays as it is. Lines of the names in `emptied`
+        lose their values instead. `today` (an ISO date) and `who` are those of the system where they are not given."""
+
+    def read_sidecar(self, id: int, *, edited: Sequence[str] = ...) -> None:
+        """Take in at once what the sidecar of a clip says, as the next scan would. What the user had said in the library
+        of the lines of the names in `edited` is taken back: there, the sidecar is the user's latest word."""
 
     def still(self, id: int) -> NDArray[np.uint8] | None:
         """The most telling pose of a clip, (height, width, 4): red, green, blue and opacity, rows from the top, colours

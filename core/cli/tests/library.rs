@@ -107,3 +107,38 @@ fn a_search_prints_what_a_query_gives_in_order() {
     let message = "error: `rate>=fast`: expected a number of frames per second, such as rate>=100\n";
     assert_eq!((wrong.code, wrong.err.as_str()), (2, message));
 }
+
+#[test]
+fn a_sidecar_is_printed_written_and_edited_and_the_library_knows_at_once() {
+    let clips = scanned();
+    let new = run(&clips, "sidecar {}/wave.amc").out;
+    assert!(new.lines().next().unwrap().ends_with("wave.i3d (not written yet)"), "{new}");
+    assert!(new.contains("\n  Framerate: 60\n") && new.contains("\n  ASF file: human.asf\n"), "{new}");
+    assert!(!clips.0.join("wave.i3d").exists(), "printing writes nothing");
+
+    let written =
+        run(&clips, "sidecar {}/wave.amc --write --set subject=07 --set Comment=waves --json").json().remove(0);
+    assert_eq!((&written["is_on_disk"], &written["fields"]["subject"]), (&true.into(), &"07".into()));
+    let text = String::from_utf8(clips.read("wave.i3d")).unwrap();
+    assert_eq!((text.lines().count(), text.contains("Subject: 07\n")), (11, true), "{text}");
+    let shown = run(&clips, "show {}/wave.amc --json").json().remove(0);
+    assert_eq!((&shown["subject"], &shown["description"]), (&"07".into(), &"waves".into()));
+
+    clips.write("wave.i3d", b"Akteur: J\xF6rg\r\nweather rain\r\n");
+    assert_eq!(run(&clips, "sidecar {}/wave.amc --set cleaned=Ja").code, 0);
+    let text = clips.read("wave.i3d");
+    assert!(text.starts_with(b"Akteur: J\xF6rg\r\nCleaned: Ja\r\n"), "{}", String::from_utf8_lossy(&text));
+    assert!(text.ends_with(b"weather rain\r\n"), "{}", String::from_utf8_lossy(&text));
+}
+
+#[test]
+fn what_a_line_cannot_hold_is_refused_and_the_sidecar_stays() {
+    let clips = scanned();
+    clips.write("wave.i3d", b"Comment: mine\n");
+    let refused = run(&clips, "sidecar {}/wave.amc nothing --set cleaned=maybe");
+    assert_eq!((refused.code, refused.err.lines().count()), (1, 2), "{}", refused.err);
+    assert!(refused.err.starts_with("Cleaned is empty or one of J, Ja"), "{}", refused.err);
+    assert_eq!(clips.read("wave.i3d"), b"Comment: mine\n");
+    assert_eq!(run(&clips, "sidecar {}/wave.amc --set weather=rain").code, 2);
+    assert_eq!(run(&clips, "sidecar {}/wave.amc --set subject").code, 2);
+}

@@ -4,6 +4,7 @@ mod common;
 
 use common::{bvh, Stage};
 use motion_theater_library::catalogue::{Edit, Field};
+use motion_theater_library::sidecar::Field as Line;
 
 const HUMAN: &str = include_str!("../../src/pairing/default_skeleton.asf");
 const AMC: &str = ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\nlfemur 1 2 3\n2\nroot 0 0 0 0 0 0\nlfemur 1 2 3\n";
@@ -92,4 +93,59 @@ fn a_sidecar_that_comes_to_name_a_skeleton_pairs_the_motion_with_it() {
     std::fs::remove_file(stage.path("01_02.i3d")).unwrap();
     stage.scan();
     assert_eq!(stage.clip("01_02.amc").skeleton_reason.as_deref(), Some("it is of the same subject, 01"));
+}
+
+#[test]
+fn what_is_written_to_a_sidecar_is_taken_in_at_once_and_what_was_emptied_does_not_come_back() {
+    let stage = Stage::with(&[("07_01.bvh", &bvh(10, 0)), ("07_01.i3d", &said("Jo"))]);
+    stage.scan();
+    let id = stage.clip("07_01.bvh").id;
+    let text = || std::fs::read_to_string(stage.path("07_01.i3d")).unwrap();
+    let edit = |field, value: Option<&str>| {
+        stage.library.edit(&[id], &[Edit::Field(field, value.map(str::to_owned))]).unwrap();
+    };
+    edit(Field::Description, Some("waves"));
+    stage.library.write_sidecar(id, &[], "2026-01-01", "ann").unwrap();
+    assert!(text().contains("Comment: waves"), "{}", text());
+    edit(Field::Description, None);
+    assert_eq!(stage.clip("07_01.bvh").description.as_deref(), Some("waves"), "the sidecar says it too");
+
+    edit(Field::Subject, None);
+    stage.library.write_sidecar(id, &[Line::Comment, Line::Subject], "2026-01-01", "ann").unwrap();
+    assert!(text().contains("Comment:\r\n") && text().contains("Subject:\r\n"), "{}", text());
+    let clip = stage.clip("07_01.bvh");
+    assert_eq!((clip.description, clip.subject.as_deref()), (None, Some("07")), "the name of the file says it still");
+    let again = stage.scan();
+    assert_eq!((again.total, stage.clip("07_01.bvh").description), (0, None));
+}
+
+#[test]
+fn a_sidecar_that_was_edited_by_the_user_goes_before_what_the_user_said_earlier() {
+    let stage = Stage::with(&[("07_01.bvh", &bvh(10, 0)), ("07_01.i3d", &said("Jo"))]);
+    stage.scan();
+    let id = stage.clip("07_01.bvh").id;
+    for (field, value) in [(Field::Subject, "Ann"), (Field::Description, "kept")] {
+        stage.library.edit(&[id], &[Edit::Field(field, Some(value.to_owned()))]).unwrap();
+    }
+    stage.put("07_01.i3d", "Subject: Eva\nUsable segments: 1-3\nComment: other\n");
+    stage.library.read_sidecar(id, &[Line::Subject, Line::UsableSegments]).unwrap();
+    let clip = stage.clip("07_01.bvh");
+    assert_eq!((clip.subject.as_deref(), clip.description.as_deref()), (Some("Eva"), Some("kept")));
+    assert_eq!(clip.segments, [(1, 3)]);
+    assert!(stage.library.read_sidecar(99, &[]).is_err());
+}
+
+#[test]
+fn a_new_sidecar_of_a_clip_begins_with_what_the_library_knows() {
+    let stage = Stage::with(&[("07_01.bvh", &bvh(10, 0))]);
+    stage.scan();
+    let id = stage.clip("07_01.bvh").id;
+    stage.library.edit(&[id], &[Edit::Field(Field::Description, Some("waves".to_owned()))]).unwrap();
+    stage.library.set_segments(id, &[(2, 4)]).unwrap();
+    let new = stage.library.sidecar(id).unwrap();
+    let value = |line| new.sidecar.get(line).unwrap_or_default();
+    assert_eq!((value(Line::Subject), value(Line::Comment), value(Line::UsableSegments)), ("07", "waves", "2-4"));
+    assert!(!new.is_on_disk() && !stage.path("07_01.i3d").exists());
+    stage.put("07_01.i3d", "Comment: by hand\n");
+    assert_eq!(stage.library.sidecar(id).unwrap().sidecar.get(Line::Comment), Some("by hand"));
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use motion_theater_library::query::Sort;
+use motion_theater_library::sidecar::Field;
 
 use crate::arguments::Workers;
 
@@ -26,6 +27,8 @@ pub enum LibraryCommand {
     Show(ShowOptions),
     /// Put tags on clips, and take others off
     Tag(TagOptions),
+    /// Print the sidecars of clips, write what the library knows into them, or edit their lines
+    Sidecar(SidecarOptions),
     /// Print a table of all clips
     Export(ExportOptions),
 }
@@ -89,10 +92,34 @@ pub struct TagOptions {
 }
 
 #[derive(Debug, Args)]
+pub struct SidecarOptions {
+    /// Clips by their files or numbers
+    #[arg(required = true, value_name = "CLIP")]
+    pub clips: Vec<String>,
+    /// Write what the library knows of the clips into their sidecars; one that is not there is made
+    #[arg(long)]
+    pub write: bool,
+    /// Write a value into a line: --set subject=07; may be given several times
+    #[arg(long, value_name = "LINE=VALUE", value_parser = line_and_value)]
+    pub set: Vec<(Field, String)>,
+    /// Print one JSON object per sidecar, one per line
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
 pub struct ExportOptions {
     /// Print one JSON object per clip, one per line, instead of a table of values separated by commas
     #[arg(long)]
     pub json: bool,
+}
+
+/// Reads `subject=07`: a line by its name or its label.
+fn line_and_value(text: &str) -> Result<(Field, String), String> {
+    let (name, value) = text.split_once('=').ok_or("a line, an equals sign and a value, such as subject=07")?;
+    let field = Field::of_name(name).or_else(|| Field::of_label(name));
+    let field = field.ok_or_else(|| format!("the lines are {}", Field::ALL.map(Field::name).join(", ")))?;
+    Ok((field, value.to_owned()))
 }
 
 fn sort(text: &str) -> Result<Sort, String> {

@@ -5,6 +5,7 @@ mod export;
 mod scan;
 mod search;
 mod show;
+mod sidecar;
 mod tag;
 
 pub use arguments::LibraryOptions;
@@ -30,6 +31,7 @@ pub fn run(options: &LibraryOptions, console: &Console, stop: &AtomicBool) -> Ou
         LibraryCommand::Search(options) => search::run(&library, options, console),
         LibraryCommand::Show(options) => show::run(&library, options, console),
         LibraryCommand::Tag(options) => tag::run(&library, options, console),
+        LibraryCommand::Sidecar(options) => sidecar::run(&library, options, console),
         LibraryCommand::Export(options) => export::run(&library, options, console),
     }
 }

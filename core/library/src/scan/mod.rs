@@ -9,7 +9,7 @@ mod drawing;
 mod plan;
 mod progress;
 mod reading;
-mod sidecars;
+pub(crate) mod sidecars;
 mod skeletons;
 mod walk;
 mod writer;

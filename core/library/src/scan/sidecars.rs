@@ -19,7 +19,7 @@ use crate::sidecar::told;
 const BATCH: usize = 256;
 
 /// A sidecar that is not what the library has read.
-pub(super) struct Stale {
+pub(crate) struct Stale {
     path: PathBuf,
     /// What the disk lists; `None` where it is gone.
     found: Option<Found>,
@@ -113,6 +113,18 @@ pub(super) fn take_in(
         library.write(|db| read.iter().try_for_each(|(stale, sidecar)| put(db, stale, sidecar.as_ref())))?;
     }
     Ok(())
+}
+
+/// Returns the sidecar of a clip as the disk lists it now.
+pub(crate) fn of_clip(clip: &Path) -> Stale {
+    let path = sidecar::path_beside(clip);
+    let found = std::fs::metadata(&path).ok().map(|metadata| Found::new(path.clone(), &metadata));
+    Stale { path, found }
+}
+
+/// Reads one sidecar, and tells the clips beside it.
+pub(crate) fn take_in_one(db: &Transaction<'_>, stale: &Stale) -> Result<(), LibraryError> {
+    put(db, stale, sidecar::read(&stale.path).as_ref())
 }
 
 fn put(db: &Transaction<'_>, stale: &Stale, sidecar: Option<&Sidecar>) -> Result<(), LibraryError> {

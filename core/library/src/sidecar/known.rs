@@ -60,6 +60,11 @@ fn short(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
+/// Returns today (UTC), as an ISO date.
+pub fn today() -> String {
+    day_of(SystemTime::now())
+}
+
 /// Returns the day of a moment in UTC, as an ISO date.
 fn day_of(moment: SystemTime) -> String {
     let days = moment.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs() / SECONDS_A_DAY);

@@ -18,6 +18,7 @@ use motion_theater_core::loaded::{LoadError, Loaded};
 pub use motion_theater_core::sidecar::{cleaned, Field};
 use motion_theater_core::sidecar::{path_beside, Sidecar, ValueError, MOST_BYTES};
 
+pub use known::today;
 pub use told::{segments_text, told};
 
 /// Why a sidecar could not be opened, edited or saved. The file is always what it was.

@@ -153,10 +153,27 @@ impl PyLibrary {
         self.with(py, |library| library.mark_used(id))
     }
 
-    #[pyo3(signature = (id, *, today=None, who=None))]
-    fn write_sidecar(&self, py: Python<'_>, id: i64, today: Option<String>, who: Option<String>) -> PyResult<OsString> {
-        let (today, who) = sidecar::stamp_of(py, today, who)?;
-        Ok(self.with(py, |library| library.write_sidecar(id, &today, &who))?.into_os_string())
+    fn sidecar(&self, py: Python<'_>, id: i64) -> PyResult<sidecar::PySidecar> {
+        self.with(py, |library| library.sidecar(id)).map(sidecar::PySidecar::from)
+    }
+
+    #[pyo3(signature = (id, *, emptied=Vec::new(), today=None, who=None))]
+    fn write_sidecar(
+        &self,
+        py: Python<'_>,
+        id: i64,
+        emptied: Vec<String>,
+        today: Option<String>,
+        who: Option<String>,
+    ) -> PyResult<OsString> {
+        let (emptied, (today, who)) = (sidecar::fields(&emptied)?, sidecar::stamp_of(py, today, who)?);
+        Ok(self.with(py, |library| library.write_sidecar(id, &emptied, &today, &who))?.into_os_string())
+    }
+
+    #[pyo3(signature = (id, *, edited=Vec::new()))]
+    fn read_sidecar(&self, py: Python<'_>, id: i64, edited: Vec<String>) -> PyResult<()> {
+        let edited = sidecar::fields(&edited)?;
+        self.with(py, |library| library.read_sidecar(id, &edited))
     }
 
     fn still<'py>(&self, py: Python<'py>, id: i64) -> PyResult<Option<Bound<'py, PyArray3<u8>>>> {

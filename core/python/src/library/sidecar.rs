@@ -14,6 +14,12 @@ use crate::errors;
 #[pyclass(name = "Sidecar", module = "motion_theater")]
 pub struct PySidecar(SidecarFile);
 
+impl From<SidecarFile> for PySidecar {
+    fn from(file: SidecarFile) -> Self {
+        Self(file)
+    }
+}
+
 /// Opens a sidecar that is there.
 #[pyfunction]
 pub fn read_sidecar(py: Python<'_>, path: PathBuf) -> PyResult<PySidecar> {
@@ -39,6 +45,18 @@ pub fn stamp_of(py: Python<'_>, today: Option<String>, who: Option<String>) -> P
     // A system may know no name of the user.
     let name = || py.import("getpass").and_then(|module| module.call_method0("getuser")?.extract()).unwrap_or_default();
     Ok((today.map_or_else(local_day, Ok)?, who.unwrap_or_else(name)))
+}
+
+/// Returns the lines of some names.
+pub fn fields(names: &[String]) -> PyResult<Vec<Field>> {
+    names.iter().map(|name| field(name)).collect()
+}
+
+fn field(name: &str) -> PyResult<Field> {
+    Field::of_name(name).ok_or_else(|| {
+        let names = Field::ALL.map(Field::name).join(", ");
+        errors::parameter(&ParameterError(format!("a sidecar has no field `{name}`: they are {names}")))
+    })
 }
 
 /// Adds what this file has to the module.
@@ -91,10 +109,7 @@ impl PySidecar {
     }
 
     fn set(&mut self, field: &str, value: &str) -> PyResult<()> {
-        let known = Field::of_name(field).ok_or_else(|| {
-            let names = Field::ALL.map(Field::name).join(", ");
-            errors::parameter(&ParameterError(format!("a sidecar has no field `{field}`: they are {names}")))
-        })?;
+        let known = self::field(field)?;
         self.0.sidecar.set(known, value).map_err(|error| errors::sidecar(error.into()))
     }
 
