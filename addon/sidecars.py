@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 import motion_theater
@@ -13,10 +13,15 @@ if TYPE_CHECKING:
     from motion_theater import Sidecar
 
 
-def opened(clip: str) -> Sidecar:
+def beside(clip: str) -> Sidecar:
     """Return the sidecar beside a clip, or a new one with what the clip tells."""
+    return opened(lambda: motion_theater.sidecar_for(clip))
+
+
+def opened(way: Callable[[], Sidecar]) -> Sidecar:
+    """Return the sidecar that a way of opening one gives, and say in words why it does not."""
     try:
-        return motion_theater.sidecar_for(clip)
+        return way()
     except (OSError, motion_theater.MotionTheaterError) as error:
         raise UserError(explained(error) or str(error)) from error
 

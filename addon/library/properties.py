@@ -9,7 +9,7 @@ from bpy.props import BoolProperty, CollectionProperty, EnumProperty, IntPropert
 from bpy.types import PropertyGroup
 
 from ..logic.library import facts
-from . import rows, session
+from . import filters, notes, rows, session
 
 if TYPE_CHECKING:
     import motion_theater
@@ -36,66 +36,13 @@ CLEANED = (
     ("YES", "Yes", "The clip was cleaned: gaps filled, spikes removed"),
     ("NO", "No", "The clip is as it was recorded"),
 )
-YES_NO = (
-    ("ANY", "All", "Do not filter"),
-    ("yes", "Yes", "Only clips that are"),
-    ("no", "No", "Only clips that are not"),
-)
-CLEANED_FILTER = (*YES_NO, ("unknown", "Not Known", "Only clips of which that is not known"))
 _CLEANED_VALUES = {"UNKNOWN": None, "YES": True, "NO": False}
-
-_choices: dict[str, list[tuple[str, str, str]]] = {}
-
-
-def choices(field: str) -> list[tuple[str, str, str]]:
-    """Return the items of a menu of values. They are kept, for Blender does not keep their texts."""
-    found = session.state.values.get(field, [])
-    items = [("ANY", "All", "Do not filter")]
-    items += [(value, f"{value} ({count:,})", "") for value, count in found if value]
-    chosen = session.state.filters.get(field)
-    if chosen and chosen not in {item[0] for item in items}:
-        items.append((chosen, f"{chosen} (0)", ""))
-    _choices[field] = items
-    return items
-
-
-def _filter(field: str) -> Any:
-    """Return a menu that filters by the values that there are."""
-
-    def items(self: PropertyGroup, context: Any) -> list[tuple[str, str, str]]:
-        return choices(field)
-
-    def get(self: PropertyGroup) -> int:
-        chosen = session.state.filters.get(field, "ANY")
-        return next((number for number, item in enumerate(choices(field)) if item[0] == chosen), 0)
-
-    def put(self: PropertyGroup, value: int) -> None:
-        chosen = choices(field)[value][0]
-        session.set_filter(field, "" if chosen == "ANY" else chosen)
-
-    what = field.title()
-    return EnumProperty(name=what, description=f"Show only clips of this {field}", items=items, get=get, set=put)
-
-
-def _fixed_filter(field: str, name: str, description: str, items: Any) -> Any:
-    def get(self: PropertyGroup) -> int:
-        chosen = session.state.filters.get(field, "ANY")
-        return next((number for number, item in enumerate(items) if item[0] == chosen), 0)
-
-    def put(self: PropertyGroup, value: int) -> None:
-        chosen = items[value][0]
-        session.set_filter(field, "" if chosen == "ANY" else chosen)
-
-    return EnumProperty(name=name, description=description, items=items, get=get, set=put)
 
 
 def _write(field: str, value: object) -> None:
     clip = rows.active()
-    if clip is None:
-        return
-    session.edit([clip.id], {field: value})
-    if session.state.also_sidecar:
-        session.write_sidecar(clip.id)
+    if clip is not None:
+        notes.edit(clip.id, {field: value})
 
 
 def _words(field: str, name: str, description: str) -> Any:
@@ -124,7 +71,7 @@ def _set_tags(self: PropertyGroup, value: str) -> None:
     wanted = facts.tags(value)
     folded = {tag.casefold() for tag in wanted}
     remove = [tag for tag in clip.tags if tag.casefold() not in folded]
-    session.change(lambda: session.library().tag([clip.id], add=wanted, remove=remove))
+    notes.tag(clip.id, wanted, remove)
 
 
 def _clip_value(field: str, otherwise: Any) -> Any:
@@ -219,16 +166,22 @@ class LibraryOptions(PropertyGroup):
         get=_get_descending,
         set=_set_descending,
     )
-    filter_format: _filter("format")
-    filter_tag: _filter("tag")
-    filter_subject: _filter("subject")
-    filter_group: _filter("group")
-    filter_cleaned: _fixed_filter(
-        "cleaned", "Cleaned", "Show only clips that were cleaned, or were not", CLEANED_FILTER
+    show: filters.of_views()
+    filter_format: filters.of_values("format")
+    filter_tag: filters.of_values("tag")
+    filter_subject: filters.of_values("subject")
+    filter_group: filters.of_values("group")
+    filter_cleaned: filters.of_kinds(
+        "cleaned", "Cleaned", "Show only clips that were cleaned, or were not", filters.CLEANED
     )
-    filter_favourite: _fixed_filter("favourite", "Favorites", "Show only favorites, or none", YES_NO)
-    filter_broken: _fixed_filter("broken", "Not Readable", "Show only files that cannot be read, or none", YES_NO)
-    filter_missing: _fixed_filter("missing", "Missing", "Show only clips whose file is gone, or none", YES_NO)
+    filter_favourite: filters.of_kinds("favourite", "Favorites", "Show only favorites, or none", filters.YES_NO)
+    filter_used: filters.of_kinds("used", "Used", "Show only clips that you have used, or have not", filters.USED)
+    filter_broken: filters.of_kinds(
+        "broken", "Not Readable", "Show only files that cannot be read, or none", filters.YES_NO
+    )
+    filter_missing: filters.of_kinds(
+        "missing", "Missing", "Show only clips whose file is gone, or none", filters.YES_NO
+    )
     active: IntProperty(
         name="Selected Clip",
         get=_get_active,
@@ -266,7 +219,7 @@ class LibraryOptions(PropertyGroup):
     )
     also_sidecar: BoolProperty(
         name="Also to the Sidecar",
-        description="Write what you change to the .i3d file beside the clip too",
+        description="Write what you change here, and usable pieces, to the .i3d file beside the clip too",
         get=_get_also_sidecar,
         set=_set_also_sidecar,
     )

@@ -48,7 +48,7 @@ def start(folders: Sequence[str] | None = None) -> None:
     if is_running():
         return
     _Scan.is_starting, _Scan.progress = True, None
-    session.state.message = ""
+    session.say("")
     work.ask("edits", "scan", lambda: session.library().scan(folders), _started)
 
 
@@ -61,8 +61,7 @@ def stop() -> None:
 def _started(scan: Any, error: BaseException | None) -> None:
     _Scan.is_starting = False
     if error is not None:
-        session.state.message = explained(error) or repr(error)
-        redraw.everything()
+        session.say(explained(error) or repr(error), is_alarming=True)
         return
     _Scan.running, _Scan.refreshed = scan, time.monotonic()
     work.watch(_look)
@@ -77,7 +76,7 @@ def _look() -> bool:
     seen = _Scan.progress = _Scan.running.progress()
     redraw.everything()
     if seen.is_finished:
-        session.state.message = outcome(seen)
+        session.say(outcome(seen), is_alarming=bool(seen.error))
         _Scan.running = None
         _renew()
         return False

@@ -15,7 +15,7 @@ import numpy as np
 
 import motion_theater
 
-from ..logic.library import facts
+from ..logic.library import facts, views
 from ..logic.library.marks import Marks
 from ..logic.messages import explained
 from . import redraw, work
@@ -39,6 +39,8 @@ class Session:
     filters: dict[str, str] = field(default_factory=dict)
     sort: str = "name"
     descending: bool = False
+    order_before: tuple[str, bool] | None = None
+    """The order before the recently used clips were shown, which have their own."""
     ids: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
     """What was found, in order."""
     active: int = -1
@@ -58,6 +60,8 @@ class Session:
     """Why the library itself cannot be used."""
     message: str = ""
     """What was last done."""
+    is_alarming: bool = False
+    """Whether the message says that something could not be done."""
     also_sidecar: bool = False
 
     @property
@@ -134,6 +138,25 @@ def set_filter(name: str, value: str) -> None:
         search()
 
 
+def show(view: str) -> None:
+    """Show one of the views; recently used clips come with the latest first."""
+    if views.of(state.filters) == view:
+        return
+    state.filters = views.applied(state.filters, view)
+    if state.order_before is not None:
+        (state.sort, state.descending), state.order_before = state.order_before, None
+    if view == "RECENT":
+        state.order_before = state.sort, state.descending
+        state.sort, state.descending = "used", True
+    search()
+
+
+def say(message: str, *, is_alarming: bool = False) -> None:
+    """Show in the panel what was done, or why it could not be; nothing takes the message away."""
+    state.message, state.is_alarming = message, is_alarming
+    redraw.everything()
+
+
 def choose(index: int) -> None:
     """Select a clip by its place in the list."""
     index = min(max(index, -1), len(state.ids) - 1)
@@ -142,29 +165,19 @@ def choose(index: int) -> None:
         redraw.everything()
 
 
-def edit(ids: list[int], fields: dict[str, object]) -> None:
-    """Write what the user knows of clips."""
-    change(lambda: library().edit(ids, fields))
-
-
-def write_sidecar(clip_id: int) -> None:
-    """Write what is known of a clip to the sidecar beside it."""
-    change(lambda: library().write_sidecar(clip_id))
-
-
 def change(call: Callable[[], Any], said: str = "") -> None:
     """Write to the library in the background, and show the outcome."""
 
     def deliver(_: Any, error: BaseException | None) -> None:
-        if error is not None:
-            state.message = _words(error)
-        else:
-            state.message = said or state.message
-            from . import rows
+        from . import rows
 
-            rows.renew()
-            refresh()
-        redraw.everything()
+        if error is not None:
+            say(_words(error), is_alarming=True)
+        elif said:
+            say(said)
+        # Also after an error: a part may have been done.
+        rows.renew()
+        refresh()
 
     work.ask("edits", object(), call, deliver)
 

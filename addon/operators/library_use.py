@@ -10,7 +10,8 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 import motion_theater
 
 from .. import capture, preferences, properties, rig, tracks
-from ..library import rows, session
+from ..library import notes, rows, session
+from ..logic.library import facts
 from ..logic.messages import UserError
 from ..translations import text
 from . import outcome, target
@@ -58,7 +59,7 @@ def _clip(clip_id: int) -> motion_theater.LibraryClip:
 
 
 def _used(clip: motion_theater.LibraryClip, message: str) -> str:
-    session.state.message = message
+    session.say(message)
     session.change(lambda: session.library().mark_used(clip.id))
     return message
 
@@ -193,10 +194,9 @@ class MOTION_THEATER_OT_library_mark_usable(bpy.types.Operator):
             said = (
                 text("Forgot the usable pieces of {name}", name=clip.name)
                 if self.clear
-                else text("Frames {first}-{last} of {name} are usable", first=piece[0], last=piece[1], name=clip.name)
+                else text("Frames {span} of {name} are usable", span=facts.span(*piece), name=clip.name)
             )
-            session.state.message = said
-            session.change(lambda: session.library().set_segments(clip.id, pieces))
+            notes.set_segments(clip.id, pieces, said)
             return said
 
         return outcome.carry_out(self, context, note)

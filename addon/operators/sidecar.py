@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import IntProperty, StringProperty
 
 from .. import sidecars, sources
+from ..library import notes, session
 from ..logic.messages import UserError, base_name
 from ..translations import text
 from . import target
@@ -37,6 +38,12 @@ class MOTION_THEATER_OT_sidecar_edit(bpy.types.Operator):
         name="Clip",
         description="The clip whose sidecar is edited. Empty for that of the active track",
         subtype="FILE_PATH",
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+    clip: IntProperty(
+        name="Number",
+        description="The number of the clip in the library, which then knows what is saved. Zero for any file",
+        min=0,
         options={"HIDDEN", "SKIP_SAVE"},
     )
     date: _field("Date", "When the clip was recorded")
@@ -69,14 +76,17 @@ class MOTION_THEATER_OT_sidecar_edit(bpy.types.Operator):
         try:
             # What was opened is what is saved: what someone else wrote meanwhile is not lost unseen.
             sidecar = getattr(self, "_sidecar", None) or self._opened(context)
+            before = dict(sidecar.fields)
             is_written = sidecars.save(sidecar, given)
         except UserError as error:
             self.report({"ERROR"}, str(error))
             if hasattr(self, "_found"):
                 # The dialog is gone, what was typed is not: it opens again with that over what the file says now.
                 typed = {name: value for name, value in given.items() if value != self._found[name]}
-                bpy.ops.motion_theater.sidecar_edit("INVOKE_DEFAULT", filepath=self.filepath, **typed)
+                bpy.ops.motion_theater.sidecar_edit("INVOKE_DEFAULT", filepath=self.filepath, clip=self.clip, **typed)
             return {"CANCELLED"}
+        if is_written and self.clip:
+            notes.sidecar_saved(self.clip, [name for name, value in given.items() if value.strip() != before[name]])
         name = base_name(sidecar.path)
         self.report({"INFO"}, text("Saved {name}", name=name) if is_written else text("{name} is as it was", name=name))
         return {"FINISHED"}
@@ -100,14 +110,16 @@ class MOTION_THEATER_OT_sidecar_edit(bpy.types.Operator):
         _draw_unknown(layout, self._sidecar.unknown)
 
     def _opened(self, context: Context) -> Sidecar:
+        if self.clip:
+            return sidecars.opened(lambda: session.library().sidecar(self.clip))
         path = self.filepath
         if path:
-            return sidecars.opened(bpy.path.abspath(path))
+            return sidecars.beside(bpy.path.abspath(path))
         ob = target.armature(context)
         entry = target.entry(ob)
         if entry is None or not entry.source:
             raise UserError(text("Choose a clip, or a track that comes from a file"))
-        return sidecars.opened(sources.absolute(ob, entry.source))
+        return sidecars.beside(sources.absolute(ob, entry.source))
 
 
 def _draw_unknown(layout: UILayout, lines: list[str]) -> None:

@@ -83,7 +83,9 @@ class MOTION_THEATER_PT_library(bpy.types.Panel):
         row = column.row(align=True)
         row.operator("motion_theater.library_add_track", icon="ADD")
         row.operator("motion_theater.library_import", icon="IMPORT")
-        if state.message and not scanning.is_running():
+        if state.message and state.is_alarming:
+            words.sentence(layout.box(), context, state.message, icon="ERROR", alert=True)
+        elif state.message and not scanning.is_running():
             words.sentence(layout, context, state.message, icon="INFO")
         draw_progress(layout)
 
@@ -132,10 +134,12 @@ class MOTION_THEATER_PT_library_filter(bpy.types.Panel):
         layout.use_property_split = True
         layout.use_property_decorate = False
         fields = context.window_manager.motion_theater_library
-        layout.label(text="Show Only Clips Of")
+        layout.prop(fields, "show")
+        layout.separator()
+        layout.label(text="Only Clips Of")
         for name in ("filter_format", "filter_tag", "filter_subject", "filter_group"):
             layout.prop(fields, name)
-        for name in ("filter_cleaned", "filter_favourite", "filter_broken", "filter_missing"):
+        for name in ("filter_cleaned", "filter_favourite", "filter_used", "filter_broken", "filter_missing"):
             layout.row().prop(fields, name, expand=False)
 
 
@@ -175,8 +179,10 @@ def _draw_search(layout: UILayout, context: Context, fields: LibraryOptions) -> 
     if state.misunderstood:
         words.sentence(layout, context, state.misunderstood, icon="ERROR", alert=True)
     row = layout.row()
-    row.active = False
-    row.label(text=found_words(is_filtered=is_filtered), translate=False)
+    row.prop(fields, "show", text="")
+    side = row.row()
+    side.active = False
+    side.label(text=found_words(is_filtered=is_filtered), translate=False)
 
 
 def _draw_list(layout: UILayout, fields: LibraryOptions) -> None:

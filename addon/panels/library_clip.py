@@ -56,7 +56,7 @@ class MOTION_THEATER_PT_library_clip(bpy.types.Panel):
         header, body = layout.panel("motion_theater_library_notes")
         header.label(text="Notes")
         if body is not None:
-            _draw_fields(body, context)
+            _draw_fields(body, context, clip)
         for notice in clip.notices:
             words.sentence(layout, context, notice, icon="INFO")
 
@@ -83,6 +83,7 @@ class MOTION_THEATER_MT_library_clip(bpy.types.Menu):
         fields = context.window_manager.motion_theater_library
         layout.prop(fields, "is_favourite")
         layout.prop(fields, "rating")
+        layout.operator("motion_theater.sidecar_edit", icon="TEXT").clip = clip.id
         if clip.segments:
             forget = layout.operator("motion_theater.library_mark_usable", text="Forget Usable Pieces", icon="X")
             forget.clip, forget.clear = clip.id, True
@@ -128,7 +129,7 @@ def known(clip: motion_theater.LibraryClip) -> list[tuple[str, str]]:
         (text("Up"), clip.up or ""),
         (text("Size"), facts.size(clip.size)),
         (text("Changed"), changed.strftime("%Y-%m-%d %H:%M") if changed else ""),
-        (text("Usable"), ", ".join(f"{first}-{last}" for first, last in clip.segments)),
+        (text("Usable"), ", ".join(facts.span(first, last) for first, last in clip.segments)),
     )
     return [(name, value) for name, value in pairs if value]
 
@@ -137,21 +138,26 @@ def _frames(clip: motion_theater.LibraryClip) -> str:
     if not clip.frames:
         return ""
     first = clip.first_frame or 0
-    return f"{clip.frames:,} ({first}-{first + clip.frames - 1})"
+    return f"{clip.frames:,} ({facts.span(first, first + clip.frames - 1)})"
 
 
-def _draw_fields(layout: UILayout, context: Context) -> None:
-    """Draw the fields of the selected clip; what is typed is kept at once."""
+def _draw_fields(layout: UILayout, context: Context, clip: motion_theater.LibraryClip) -> None:
+    """Draw the fields of the selected clip; what is typed is kept at once. A sidecar has lines for the first ones."""
     fields = context.window_manager.motion_theater_library
     layout.use_property_split = True
     layout.use_property_decorate = False
     column = layout.column(align=True)
-    for name in ("subject", "recorded_on", "session_group", "description", "tags"):
+    for name in ("subject", "recorded_on", "session_group", "description"):
         column.prop(fields, name)
+    column.prop(fields, "cleaned")
     column = layout.column(align=True)
+    column.prop(fields, "also_sidecar")
+    row = column.row()
+    row.enabled = not clip.is_missing
+    row.operator("motion_theater.sidecar_edit", icon="TEXT").clip = clip.id
+    column = layout.column(align=True)
+    column.prop(fields, "tags")
     column.prop(fields, "rating", slider=True)
-    column.row().prop(fields, "cleaned", expand=False)
-    layout.prop(fields, "also_sidecar")
 
 
 CLASSES = (MOTION_THEATER_PT_library_clip, MOTION_THEATER_MT_library_clip)

@@ -70,7 +70,7 @@ def test_without_a_path_it_is_the_file_of_the_active_track(clip: Path) -> None:
 
 def shown(clip: Path, **typed: str) -> Recorder:
     """Return what the dialog shows for a clip, with values typed into it."""
-    sidecar, layout = sidecars.opened(str(clip)), Recorder()
+    sidecar, layout = sidecars.beside(str(clip)), Recorder()
     values = dict.fromkeys(sidecar.fields, "") | typed
     dialog = SimpleNamespace(layout=layout, _sidecar=sidecar, bl_rna=edit.get_rna_type(), **values)
     module("operators.sidecar").MOTION_THEATER_OT_sidecar_edit.draw(dialog, bpy.context)
@@ -79,7 +79,7 @@ def shown(clip: Path, **typed: str) -> Recorder:
 
 def test_the_dialog_has_the_eleven_fields_and_says_that_a_sidecar_is_new(clip: Path) -> None:
     layout = shown(clip)
-    assert layout.names("prop") == list(sidecars.opened(str(clip)).fields)
+    assert layout.names("prop") == list(sidecars.beside(str(clip)).fields)
     assert "wave.i3d is new: saving makes it" in layout.texts()
     assert not layout.find("cleaned").alert
 

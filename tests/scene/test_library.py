@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -70,6 +71,33 @@ def test_the_search_box_and_the_filters_find_clips() -> None:
     fields().descending = True
     library.settle()
     assert library.shown() == library.NAMES[::-1]
+
+
+def test_the_views_show_favorites_recently_used_damaged_and_missing_clips(tmp_path: Path) -> None:
+    library.choose("wave.amc")
+    fields().is_favourite = True
+    for name in ("own.bvh", "turn.amc"):
+        library.session.library().mark_used(library.choose(name).id)
+        time.sleep(1.1)  # the library counts in seconds
+    (tmp_path / "clips" / "walk.amc").unlink()
+    ops.library_scan()
+    fields().sort = "size"
+    for view, found in (
+        ("FAVOURITES", ["wave.amc"]),
+        ("RECENT", ["turn.amc", "own.bvh"]),
+        ("BROKEN", ["broken.bvh"]),
+        ("MISSING", ["walk.amc"]),
+    ):
+        fields().show = view
+        library.settle()
+        assert (fields().show, library.shown()) == (view, found)
+    fields().show = "ALL"
+    library.settle()
+    assert len(library.shown()) == len(library.NAMES)
+    assert (fields().sort, fields().descending) == ("size", False), "the order is what it was"
+    fields().filter_used = "no"
+    library.settle()
+    assert "own.bvh" not in library.shown()
 
 
 def test_a_search_that_makes_no_sense_says_so_and_keeps_what_was_shown() -> None:
