@@ -36,10 +36,22 @@ def tag(clip_id: int, add: Sequence[str], remove: Sequence[str]) -> None:
     _write(clip_id, lambda: session.library().tag([clip_id], add=add, remove=remove), (), has_line=False)
 
 
-def set_segments(clip_id: int, pieces: Sequence[tuple[int, int]], said: str) -> None:
-    """Note which pieces of a clip are usable."""
-    emptied = () if pieces else ("usable_segments",)
-    _write(clip_id, lambda: session.library().set_segments(clip_id, pieces), emptied, has_line=True, said=said)
+def mark_usable(clip_id: int, piece: tuple[int, int], said: str) -> None:
+    """Note that one more piece of a clip is usable."""
+
+    def add() -> None:
+        # Looked up here, in the order of all edits: one that waits still is not lost.
+        library = session.library()
+        pieces = {known for clip in library.clips([clip_id]) for known in clip.segments}
+        library.set_segments(clip_id, sorted({*pieces, piece}))
+
+    _write(clip_id, add, (), has_line=True, said=said)
+
+
+def forget_usable(clip_id: int, said: str) -> None:
+    """Forget which pieces of a clip are usable."""
+    emptied = ("usable_segments",)
+    _write(clip_id, lambda: session.library().set_segments(clip_id, []), emptied, has_line=True, said=said)
 
 
 def sidecar_saved(clip_id: int, edited: Sequence[str]) -> None:

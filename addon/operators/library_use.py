@@ -189,14 +189,13 @@ class MOTION_THEATER_OT_library_mark_usable(bpy.types.Operator):
             clip = _clip(self.clip)
             if not self.clear and self.last < self.first:
                 raise UserError(text("The last frame of a usable piece comes before its first"))
+            if self.clear:
+                said = text("Forgot the usable pieces of {name}", name=clip.name)
+                notes.forget_usable(clip.id, said)
+                return said
             piece = (self.first, self.last)
-            pieces = [] if self.clear else sorted({*map(tuple, clip.segments), piece})
-            said = (
-                text("Forgot the usable pieces of {name}", name=clip.name)
-                if self.clear
-                else text("Frames {span} of {name} are usable", span=facts.span(*piece), name=clip.name)
-            )
-            notes.set_segments(clip.id, pieces, said)
+            said = text("Frames {span} of {name} are usable", span=facts.span(*piece), name=clip.name)
+            notes.mark_usable(clip.id, piece, said)
             return said
 
         return outcome.carry_out(self, context, note)
