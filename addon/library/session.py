@@ -128,6 +128,11 @@ def search() -> None:
     work.ask("data", "search", lambda: library().search(query, sort=sort, descending=descending), _show_found)
 
 
+def is_searching() -> bool:
+    """Return whether what is shown is not yet what was asked for."""
+    return work.waits("data", "search")
+
+
 def set_filter(name: str, value: str) -> None:
     """Filter by a field; nothing takes the filter away."""
     filters = {key: kept for key, kept in state.filters.items() if key != name}
@@ -158,11 +163,11 @@ def say(message: str, *, is_alarming: bool = False) -> None:
 
 
 def choose(index: int) -> None:
-    """Select a clip by its place in the list."""
+    """Select a clip by its place in the list. What was said of another one goes."""
     index = min(max(index, -1), len(state.ids) - 1)
     if index != state.active:
         state.active = index
-        redraw.everything()
+        say("")
 
 
 def change(call: Callable[[], Any], said: str = "") -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import bpy
 
 from ..library import pictures, properties, rows, scanning, session
-from ..logic.library import facts
+from ..logic.library import facts, views
 from ..translations import text
 from . import words
 
@@ -75,6 +75,8 @@ class MOTION_THEATER_PT_library(bpy.types.Panel):
         fields = context.window_manager.motion_theater_library
         _draw_search(layout, context, fields)
         _draw_list(layout, fields)
+        if not len(state.ids) and not state.misunderstood and not session.is_searching():
+            words.sentence(layout, context, nothing_words(), icon="INFO")
         column = layout.column(align=True)
         row = column.row(align=True)
         row.scale_y = 1.4
@@ -178,9 +180,9 @@ def _draw_search(layout: UILayout, context: Context, fields: LibraryOptions) -> 
     row.popover("MOTION_THEATER_PT_library_filter", text="", icon="FILTER")
     if state.misunderstood:
         words.sentence(layout, context, state.misunderstood, icon="ERROR", alert=True)
-    row = layout.row()
-    row.prop(fields, "show", text="")
-    side = row.row()
+    split = layout.split(factor=0.6)
+    split.prop(fields, "show", text="")
+    side = split.row()
     side.active = False
     side.label(text=found_words(is_filtered=is_filtered), translate=False)
 
@@ -220,6 +222,19 @@ def found_words(*, is_filtered: bool) -> str:
     if len(state.ids) == state.total and not is_filtered:
         return total
     return text("{found} of {total}", found=f"{len(state.ids):,}", total=total)
+
+
+def nothing_words() -> str:
+    """Return what to do where no clip is shown."""
+    state = session.state
+    if state.words or len(state.filters) > 1:
+        return text("No clip is like that: change the search, or what is shown and filtered")
+    return {
+        "FAVOURITES": text("There are no favorites yet: the star beside Open makes a clip one"),
+        "RECENT": text("Nothing was brought into a scene in the last 30 days"),
+        "BROKEN": text("There is no file that cannot be read"),
+        "MISSING": text("No file is missing"),
+    }.get(views.of(state.filters), text("No clip is like that: change the filter"))
 
 
 def folder_facts(folder: object) -> str:

@@ -18,7 +18,7 @@ Finding = Generator[float, None, tuple[int, int]]
 STEP = 8  # pixels between two looks; the lowest button is 18 high
 REST = (8, 8)  # a corner where the mouse covers and highlights nothing
 DIGITS = ("ZERO", "ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE")
-PUNCTUATION = {".": "PERIOD", "/": "SLASH", "-": "MINUS", "_": "MINUS"}
+PUNCTUATION = {".": "PERIOD", "/": "SLASH", "-": "MINUS", "_": "MINUS", ":": "SEMI_COLON", ",": "COMMA", " ": "SPACE"}
 
 
 class NotFoundError(AssertionError):

@@ -15,7 +15,17 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 GUI = Path(os.environ.get("GUI", ROOT.parent / "shared/gui")).resolve()
-SESSIONS = ("installing", "dragging", "panels", "sidecar", "tutorial", "dropping", "marker_set", "library")
+SESSIONS = (
+    "installing",
+    "dragging",
+    "panels",
+    "sidecar",
+    "tutorial",
+    "dropping",
+    "marker_set",
+    "library",
+    "library_notes",
+)
 SETUP_SECONDS, SESSION_SECONDS = 900, 600
 
 
