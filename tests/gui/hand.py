@@ -150,7 +150,7 @@ def write(place: tuple[int, int], text: str) -> Session:
         yield 0.05
     yield 0.2
     yield from tap("A", ctrl=True)
-    yield from type_text(text)
+    yield from type_text(text) if text else tap("DEL")
     yield from tap("RET")
     yield 0.3
 

@@ -146,6 +146,14 @@ fn a_new_sidecar_of_a_clip_begins_with_what_the_library_knows() {
     let value = |line| new.sidecar.get(line).unwrap_or_default();
     assert_eq!((value(Line::Subject), value(Line::Comment), value(Line::UsableSegments)), ("07", "waves", "2-4"));
     assert!(!new.is_on_disk() && !stage.path("07_01.i3d").exists());
+    assert!(!value(Line::Date).is_empty(), "the day of the last change, for the user to see");
+    stage.library.write_sidecar(id, &[], "2026-01-01", "ann").unwrap();
+    assert_eq!(
+        stage.library.sidecar(id).unwrap().sidecar.get(Line::Date),
+        Some(""),
+        "nobody said when it was recorded"
+    );
+    assert_eq!(stage.clip("07_01.bvh").recorded_on, None);
     stage.put("07_01.i3d", "Comment: by hand\n");
     assert_eq!(stage.library.sidecar(id).unwrap().sidecar.get(Line::Comment), Some("by hand"));
 }

@@ -77,13 +77,13 @@ impl Field {
     /// Where the field cannot hold it: the reason in words.
     pub fn checked(self, value: &str) -> Result<Option<String>, LibraryError> {
         let value = value.trim();
-        let wrong = |wanted: &str| Err(LibraryError::Asked(format!("{} is {wanted}, not `{value}`", self.name())));
+        let wrong = |wanted: &str| Err(LibraryError::Asked(format!("{wanted}, not `{value}`")));
         match self {
             _ if value.is_empty() => Ok(None),
             Self::RecordedOn if !is_date(value) => {
-                wrong("a year, a month or a day such as 2004, 2004-05 or 2004-05-31")
+                wrong("the day of the recording is a year, a month or a day such as 2004, 2004-05 or 2004-05-31")
             }
-            Self::Cleaned if !matches!(value, "0" | "1") => wrong("1 for yes or 0 for no"),
+            Self::Cleaned if !matches!(value, "0" | "1") => wrong("cleaned is 1 for yes or 0 for no"),
             _ => Ok(Some(value.to_owned())),
         }
     }
@@ -174,7 +174,7 @@ mod tests {
             "2004-05-06-07",
         ] {
             let message = Field::RecordedOn.checked(bad).expect_err(bad).to_string();
-            assert!(message.starts_with("recorded_on is a year, a month or a day"), "{message}");
+            assert!(message.starts_with("the day of the recording is a year, a month or a day"), "{message}");
         }
     }
 

@@ -36,7 +36,12 @@ impl Library {
     pub fn write_sidecar(&self, clip: i64, emptied: &[Field], today: &str, who: &str) -> Result<PathBuf, LibraryError> {
         let row = self.row(clip)?;
         let mut file = SidecarFile::beside(&row.path)?;
+        let is_new = !file.is_on_disk();
         let mut edit = || {
+            if is_new && row.recorded_on.is_none() {
+                // The day of the last change, with which a new one begins, is a guess that nobody gets to see here.
+                file.sidecar.set(Field::Date, "")?;
+            }
             take_over(&mut file.sidecar, &row)?;
             emptied.iter().try_for_each(|field| file.sidecar.set(*field, ""))
         };
