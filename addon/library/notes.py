@@ -56,7 +56,7 @@ def forget_usable(clip_id: int, said: str) -> None:
 
 def sidecar_saved(clip_id: int, edited: Sequence[str]) -> None:
     """Let the library know what a sidecar says, and that of these lines it is the user's latest word."""
-    session.change(lambda: session.library().read_sidecar(clip_id, edited=edited))
+    session.change(lambda: session.library().read_sidecar(clip_id, edited=edited), about=clip_id)
 
 
 def _write(
@@ -75,4 +75,4 @@ def _write(
             raise UserError(text("{reason}. The library keeps what you changed", reason=reason)) from error
 
     session.say(said)
-    session.change(write)
+    session.change(write, about=clip_id)

@@ -62,6 +62,8 @@ class Session:
     """What was last done."""
     is_alarming: bool = False
     """Whether the message says that something could not be done."""
+    about: int | None = None
+    """The clip that the message is about."""
     also_sidecar: bool = False
 
     @property
@@ -156,9 +158,9 @@ def show(view: str) -> None:
     search()
 
 
-def say(message: str, *, is_alarming: bool = False) -> None:
-    """Show in the panel what was done, or why it could not be; nothing takes the message away."""
-    state.message, state.is_alarming = message, is_alarming
+def say(message: str, *, is_alarming: bool = False, about: int | None = None) -> None:
+    """Show in the panel what was done, or why it could not be; an empty message takes that away."""
+    state.message, state.is_alarming, state.about = message, is_alarming, about
     redraw.everything()
 
 
@@ -170,14 +172,14 @@ def choose(index: int) -> None:
         say("")
 
 
-def change(call: Callable[[], Any], said: str = "") -> None:
+def change(call: Callable[[], Any], said: str = "", *, about: int | None = None) -> None:
     """Write to the library in the background, and show the outcome."""
 
     def deliver(_: Any, error: BaseException | None) -> None:
         from . import rows
 
         if error is not None:
-            say(_words(error), is_alarming=True)
+            say(_words(error), is_alarming=True, about=about)
         elif said:
             say(said)
         # Also after an error: a part may have been done.

@@ -86,7 +86,8 @@ class MOTION_THEATER_PT_library(bpy.types.Panel):
         row.operator("motion_theater.library_add_track", icon="ADD")
         row.operator("motion_theater.library_import", icon="IMPORT")
         if state.message and state.is_alarming:
-            words.sentence(layout.box(), context, state.message, icon="ERROR", alert=True)
+            if state.about is None or state.about != state.active_id:  # else its panel says it, where it was typed
+                words.sentence(layout.box(), context, state.message, icon="ERROR", alert=True)
         elif state.message and not scanning.is_running():
             words.sentence(layout, context, state.message, icon="INFO")
         draw_progress(layout)

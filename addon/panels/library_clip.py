@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import bpy
 
-from ..library import pictures, rows
+from ..library import pictures, rows, session
 from ..logic.library import facts
 from ..translations import text
 from . import words
@@ -57,6 +57,8 @@ class MOTION_THEATER_PT_library_clip(bpy.types.Panel):
         header.label(text="Notes")
         if body is not None:
             _draw_fields(body, context, clip)
+        if session.state.is_alarming and session.state.about == clip.id:
+            words.sentence(layout.box(), context, session.state.message, icon="ERROR", alert=True)
         for notice in clip.notices:
             words.sentence(layout, context, notice, icon="INFO")
 

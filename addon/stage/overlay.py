@@ -33,6 +33,7 @@ class Overlay:
         self.views: list[View] = []
         self.mouse = (-1, -1)
         self.said: tuple[str, bool, float] = ("", False, 0.0)
+        self.heard = session.state.message
         self.draw_s: deque[float] = deque(maxlen=1000)
         """Processor time that each of the last redraws took of the main thread. What the graphics card takes, or a
         program in its place, is not ours: the view below costs the same."""
@@ -62,6 +63,14 @@ class Overlay:
         """Show a message for a while."""
         self.said = (words, is_error, time.monotonic())
         self.tag()
+
+    def hear(self) -> None:
+        """Show what could not be done in the background, once."""
+        message = session.state.message
+        if message != self.heard:
+            self.heard = message
+            if session.state.is_alarming:
+                self.say(message, is_error=True)
 
     def run(self, operator: str, **options: object) -> None:
         """Call an operator of ours once the event is over, as one undo step."""
@@ -107,6 +116,7 @@ class Overlay:
         region = _region(area)
         self.mouse = (event.mouse_x, event.mouse_y)
         if event.type.startswith("TIMER"):
+            self.hear()
             if self.view.is_moving(time.monotonic()) or self.said[0]:
                 region.tag_redraw()
             return False
@@ -139,7 +149,7 @@ class Overlay:
             if options is None:
                 _open_menu(name)
                 return
-            session.state.message = ""
+            session.say("")
             try:
                 getattr(bpy.ops.motion_theater, name)("INVOKE_DEFAULT", True, **options)
                 self.say(session.state.message)

@@ -125,10 +125,26 @@ def full_disk() -> hand.Session:
     assert "No space left" in session.state.message
     assert sidecar.read_bytes() == before
     assert session.library().clips([session.state.active_id])[0].subject == "ann"
+    yield from mark_usable()
+    assert sidecar.read_bytes() == before
     (DISK / "filler").unlink()
     yield from write("subject", "eva")
     yield from until(lambda: b"Akteur: eva\r\n" in sidecar.read_bytes())
     assert not session.state.is_alarming
+
+
+def mark_usable() -> hand.Session:
+    """Note a piece in the browser on the full disk: the message is there too."""
+    overlay = ours("stage.overlay")
+    yield from hand.press("motion_theater.library_play", column=0.5)
+    yield from until(lambda: overlay.current is not None and overlay.current.view.body() is not None)
+    middle = overlay.current.view.area.middle
+    view = drive.region("WINDOW")
+    yield from drive.key("U", at=(int(view.x + middle[0]), int(view.y + middle[1])))
+    yield from until(lambda: "No space left" in overlay.current.said[0])
+    drive.screenshot("notes-5-full-disk-on-the-stage")
+    while overlay.current is not None:
+        yield from drive.key("ESC")
 
 
 def views() -> hand.Session:
@@ -140,10 +156,10 @@ def views() -> hand.Session:
     place = yield from hand.find_field(".show", column=0.2)
     yield from drive.click(*place)
     yield from hand.settle(2)
-    drive.screenshot("notes-5-show")
+    drive.screenshot("notes-6-show")
     yield from drive.key("R", at=place)
     yield from until(lambda: len(session.state.ids) == 1)
-    yield from hand.shot("notes-6-recently-used")
+    yield from hand.shot("notes-7-recently-used")
     assert session.state.filters == {"used": "30d"}
 
 

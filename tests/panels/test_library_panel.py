@@ -111,12 +111,18 @@ def test_what_could_not_be_done_stands_out_until_the_next_edit(clips: Path) -> N
     library.choose("walk.amc")
     fields().recorded_on = "yesterday"
     library.settle()
-    layout = shown()
+    layout = shown(clip_panels.MOTION_THEATER_PT_library_clip)
     assert "the day of the recording is a year, a month or a day such as 2004" in words(layout)
     assert any(one.alert and one.icon == "ERROR" for one in layout.shown)
+    assert not any(one.alert for one in shown().shown), "it is said once, where it was typed"
+    session.choose(0)
+    session.say("too late", is_alarming=True, about=session.state.active_id + 1)
+    assert "too late" in words(shown())
+    library.choose("walk.amc")
     fields().recorded_on = "2004-05"
     library.settle()
-    assert not any(one.alert for one in shown().shown)
+    for panel in (panels.MOTION_THEATER_PT_library, clip_panels.MOTION_THEATER_PT_library_clip):
+        assert not any(one.alert for one in shown(panel).shown)
 
 
 def test_a_missing_file_can_be_described_but_its_sidecar_cannot_be_edited(clips: Path) -> None:
