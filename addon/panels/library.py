@@ -228,6 +228,8 @@ def found_words(*, is_filtered: bool) -> str:
 def nothing_words() -> str:
     """Return what to do where no clip is shown."""
     state = session.state
+    if not state.total:
+        return text("Looking for clips…") if scanning.is_running() else text("There are no clips in these folders")
     if state.words or len(state.filters) > 1:
         return text("No clip is like that: change the search, or what is shown and filtered")
     return {

@@ -54,6 +54,12 @@ def test_a_newcomer_is_told_to_begin_with_a_folder() -> None:
     assert layout.names("operator") == ["motion_theater.library_folder_add"]
 
 
+def test_a_folder_without_clips_is_told_from_a_search_without_hits(tmp_path: Path) -> None:
+    bpy.ops.motion_theater.library_folder_add(directory=str(tmp_path))
+    library.settle()
+    assert "There are no clips in these folders" in words(shown())
+
+
 def test_it_offers_to_search_show_look_and_bring_in(clips: Path) -> None:
     layout = shown()
     assert [name for name in layout.names("prop") if name] == ["search", "show"]
