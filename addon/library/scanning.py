@@ -113,7 +113,8 @@ def outcome(seen: motion_theater.ScanProgress) -> str:
 
 
 def close() -> None:
-    """Stop a scan that still runs."""
+    """Stop a scan that still runs, and begin none."""
+    work.forget("edits", "scan")
     stop()
     _Scan.running = _Scan.progress = None
     _Scan.is_starting = False

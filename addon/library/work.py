@@ -17,6 +17,8 @@ from ..logic.library.lane import Done, Lane
 
 SLICE_S = 0.008
 INTERVAL_S = 0.03
+EDITS_S = 10.0
+"""So long the end of the add-on waits for edits that are still to be written."""
 NEWEST_FIRST = frozenset({"pictures", "figures"})
 """Lanes of what is only looked at. In the others, "data" and "edits", everything is done in its order."""
 
@@ -46,6 +48,12 @@ def drop(lane: str) -> None:
     """Forget what has not begun in a lane."""
     if lane in _lanes:
         _lanes[lane].drop()
+
+
+def forget(lane: str, key: Hashable) -> None:
+    """Forget a call of a lane that has not begun."""
+    if lane in _lanes:
+        _lanes[lane].forget(key)
 
 
 def watch(watcher: Callable[[], bool]) -> None:
@@ -99,8 +107,11 @@ def close() -> None:
     """End the threads and the timer."""
     if bpy.app.timers.is_registered(_pulse):
         bpy.app.timers.unregister(_pulse)
-    for lane in _lanes.values():
-        lane.close()
+    for name, lane in _lanes.items():
+        if name == "edits":  # what was typed is kept, also by who quits at once
+            lane.close(EDITS_S, finishes=True)
+        else:
+            lane.close()
     _lanes.clear()
     _watchers.clear()
     _finished.clear()

@@ -150,6 +150,7 @@ class Overlay:
                 _open_menu(name)
                 return
             session.say("")
+            self.heard = ""  # the same trouble again is news
             try:
                 getattr(bpy.ops.motion_theater, name)("INVOKE_DEFAULT", True, **options)
                 self.say(session.state.message)

@@ -81,6 +81,16 @@ def test_without_the_box_nothing_is_written_beside_the_clip(sidecar: Path) -> No
     assert not sidecar.exists()
 
 
+def test_what_was_typed_right_before_the_end_is_kept(sidecar: Path) -> None:
+    form = fields()
+    for number in range(20):
+        form.subject, form.rating = f"Ann {number}", number % 6
+    closing.close()
+    clip = next(clip for clip in session.library().clips(range(1, 10)) if clip.name == "walk.amc")
+    assert (clip.subject, clip.rating) == ("Ann 19", 1)
+    assert lines(sidecar)["Subject"] == "Ann 19"
+
+
 def test_a_field_that_is_emptied_empties_its_line_and_stays_empty(sidecar: Path) -> None:
     form = fields()
     form.description = "straight on"

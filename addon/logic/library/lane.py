@@ -60,11 +60,17 @@ class Lane:
         with self._changed:
             self._waiting.clear()
 
-    def close(self, timeout_s: float = 2.0) -> None:
-        """End the thread after the call that it is making."""
+    def forget(self, key: Hashable) -> None:
+        """Forget the call of a key, if it has not begun."""
+        with self._changed:
+            self._waiting.pop(key, None)
+
+    def close(self, timeout_s: float = 2.0, *, finishes: bool = False) -> None:
+        """End the thread after the call that it is making, or after all that wait."""
         with self._changed:
             self._is_open = False
-            self._waiting.clear()
+            if not finishes:
+                self._waiting.clear()
             self._changed.notify()
         self._thread.join(timeout_s)
 
@@ -72,7 +78,7 @@ class Lane:
         while True:
             with self._changed:
                 self._changed.wait_for(lambda: self._waiting or not self._is_open)
-                if not self._is_open:
+                if not self._waiting:
                     return
                 key, (call, deliver) = self._waiting.popitem(last=self._newest_first)
                 self._running = key

@@ -109,3 +109,18 @@ def test_filters_are_terms_of_the_search() -> None:
 
 def test_tags_are_typed_with_commas() -> None:
     assert facts.tags(" walk,  turn   left ,Walk,,") == ["walk", "turn left"]
+
+
+def test_at_the_end_a_lane_drops_what_waits_unless_it_is_to_finish_that() -> None:
+    for finishes, expected in ((False, []), (True, [0, 2])):
+        lane, gate = Lane("test", deque()), threading.Event()
+        made: list[int] = []
+        lane.ask("gate", lambda gate=gate: gate.wait(5.0), lambda result, error: None)  # type: ignore[misc]
+        while lane._waiting:
+            time.sleep(0.001)
+        for number in range(3):
+            lane.ask(number, lambda number=number, made=made: made.append(number), lambda *_: None)  # type: ignore[misc]
+        lane.forget(1)
+        threading.Timer(0.05, gate.set).start()
+        lane.close(5.0, finishes=finishes)
+        assert made == expected
