@@ -225,10 +225,9 @@ def test_zooming_the_view_zooms_the_stages() -> None:
     screen = stage(1)
 
     def height() -> float:
-        strokes = [some for _, layers in screen.draw()._clips for layer in layers for some in layer.strokes]
-        return float(
-            max(some.begins[:, 1].max() for some in strokes) - min(some.begins[:, 1].min() for some in strokes)
-        )
+        ((moving, _),) = [one for _, layers in screen.draw()._clips for layer in layers for one in layer.figures]
+        shown = moving.cast.places[moving.cast.colors[:, 3] > 0]
+        return float(shown[:, 1].max() - shown[:, 1].min())
 
     screen.rotation = library.np.array([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]])
     before = height()
