@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 class Layer:
     """Rectangles, then icons, then figures, then pictures, then words: each covers those before it."""
 
-    def __init__(self) -> None:
+    def __init__(self, shift: tuple[float, float] = (0.0, 0.0)) -> None:
+        self.shift = shift
         self.flat = paint.Flat([], [])
         self.figures: list[tuple[paint.Moving, int]] = []
         self.pictures: list[tuple[gpu.types.GPUTexture, Rect]] = []
@@ -36,9 +37,12 @@ class Canvas:
     def _layer(self) -> Layer:
         return self._clips[-1][1][-1]
 
-    def layer(self) -> None:
-        """Let what follows cover all that was drawn. What changes often is worth a layer of its own."""
-        self._clips[-1][1].append(Layer())
+    def layer(self, shift: tuple[float, float] = (0.0, 0.0)) -> None:
+        """Let what follows cover all that was drawn. What changes often is worth a layer of its own.
+
+        Rectangles and icons are shifted: those that only move need not be made anew.
+        """
+        self._clips[-1][1].append(Layer(shift))
 
     def within(self, area: Rect | None) -> None:
         """Let what follows cover all that was drawn, and be seen in an area only."""
@@ -107,7 +111,7 @@ class Canvas:
 
 def _draw(number: int, layer: Layer) -> None:
     gpu.state.blend_set("ALPHA")  # writing ends it
-    paint.flat(number, layer.flat)
+    paint.flat(number, layer.flat, layer.shift)
     for moving, figure in layer.figures:
         moving.draw(figure)
     if layer.pictures:

@@ -37,14 +37,16 @@ _kept: dict[int, _Kept] = {}
 """By the number of the layer: what the last redraw showed there. Much of the browser looks the same for seconds."""
 
 
-def flat(number: int, wanted: Flat) -> None:
+def flat(number: int, wanted: Flat, shift: tuple[float, float]) -> None:
     """Draw the flat shapes of a layer; those that were there in the last redraw need not be made again."""
     if not wanted.boxes and not wanted.icons:
         return
     kept = _kept.get(number)
     if kept is None or kept.shapes != wanted:
         kept = _kept[number] = _Kept(wanted, _batch(wanted))
-    kept.batch.draw(gpu.shader.from_builtin("SMOOTH_COLOR"))
+    with gpu.matrix.push_pop():
+        gpu.matrix.translate(shift)
+        kept.batch.draw(gpu.shader.from_builtin("SMOOTH_COLOR"))
 
 
 def forget_above(count: int) -> None:

@@ -32,6 +32,7 @@ def draw(canvas: Canvas, area: Rect, clip_id: int, *, is_active: bool, hovered_s
     clip = rows.get(clip_id)
     picture = Rect(area.x, area.y + CAPTION * scale, area.width, area.height - CAPTION * scale).inset(3 * scale)
     if clip is None:
+        _ask_for_pictures(clip_id, is_hovered=hovered_s is not None)
         return None
     _draw_caption(canvas, area, clip)
     if clip.error:
@@ -49,10 +50,17 @@ def is_moving(clip_id: int) -> bool:
     return strip is None or len(strip.frames) > 0
 
 
+def _ask_for_pictures(clip_id: int, *, is_hovered: bool) -> None:
+    """Have pictures fetched: they need not wait until what is known of the clip has come."""
+    pictures.still(clip_id)
+    if is_hovered:
+        pictures.strip(clip_id)
+
+
 def _draw_strip(canvas: Canvas, area: Rect, clip_id: int, played_s: float) -> Rect | None:
     """Draw the moving picture, by time. Return how far it is, as a bar below it; None where there is none yet."""
-    strip = pictures.strip(clip_id) if played_s >= 0.0 else None
-    if strip is None or not len(strip.frames) or strip.rate_hz <= 0:
+    strip = pictures.strip(clip_id)  # asked for at once, so that it is there when it is to move
+    if played_s < 0.0 or strip is None or not len(strip.frames) or strip.rate_hz <= 0:
         return None
     number = int(played_s * strip.rate_hz) % len(strip.frames)
     frame = strip.frames[number]
