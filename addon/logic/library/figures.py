@@ -61,7 +61,8 @@ class Body:
     @property
     def bytes(self) -> int:
         """What it takes in memory."""
-        return self.points.nbytes + self.path.nbytes
+        arrays = (self.points, self.path, *self.ends, self.thickness, self.tints)
+        return sum(array.nbytes for array in arrays)
 
 
 def prepared(figure: FigureData, *, is_markers: bool, fallback_rate_hz: float = 120.0) -> Body:
