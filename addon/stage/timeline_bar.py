@@ -29,7 +29,7 @@ def draw(canvas: Canvas, timeline: Timeline, marks: Marks | None, segments: Iter
     begin, end = (timeline.x(frame) for frame in marks.range)
     if marks.are_set:
         canvas.box(Rect(begin, bar.y, max(1.0, end - begin), bar.height), (*look.MARK[:3], 0.28))
-    _draw_ticks(canvas, timeline)
+    _draw_ticks(canvas, timeline, (begin, end) if marks.are_set else (0.0, 0.0))
     for x, is_begin in ((begin, True), (end, False)):
         _draw_mark(canvas, bar, x, is_begin=is_begin, is_set=marks.are_set)
 
@@ -43,13 +43,15 @@ def draw_head(canvas: Canvas, timeline: Timeline, place: float) -> None:
     canvas.layer()
 
 
-def _draw_ticks(canvas: Canvas, timeline: Timeline) -> None:
+def _draw_ticks(canvas: Canvas, timeline: Timeline, marked: tuple[float, float]) -> None:
+    """Draw frame numbers, bright between the marks, where the bar is."""
     scale, bar = canvas.scale, timeline.bar
     for frame in timeline.ticks(TICK_SPACING * scale):
         x = timeline.x(frame)
         canvas.box(Rect(x, bar.y, 1, bar.height), (*look.TEXT_FAINT[:3], 0.5))
         if x + 34 * scale < bar.right:
-            canvas.text(x + 4 * scale, bar.y + 4.5 * scale, str(frame), look.TEXT_FAINT, 9)
+            ink = look.TEXT if marked[0] <= x + 4 * scale < marked[1] else look.TEXT_FAINT
+            canvas.text(x + 4 * scale, bar.y + 4.5 * scale, str(frame), ink, 9)
 
 
 def _draw_mark(canvas: Canvas, bar: Rect, x: float, *, is_begin: bool, is_set: bool) -> None:
