@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..library import scanning, session
+from ..library import rows, scanning, session
 from ..logic.library import facts
 from ..logic.library.grid import Grid
 from ..logic.library.rect import Rect
@@ -45,6 +45,7 @@ class GridView(GridInput):
             is_active = index == session.state.active
             bar = tile.draw(canvas, place, int(found[index]), is_active=is_active, hovered_s=hovered_s)
             played = played or bar
+        rows.fetch()  # while this redraw goes on, so that the next one has it
         if not len(found):
             self._draw_nothing(canvas)
         if played is not None:
