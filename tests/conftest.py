@@ -1,4 +1,4 @@
-"""How a run of pytest ends when Blender was in it."""
+"""How a run of pytest ends when Blender was in it, and that no test fails because the machine is busy."""
 
 from __future__ import annotations
 
@@ -6,6 +6,10 @@ import os
 import sys
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("at any speed", deadline=None)
+settings.load_profile("at any speed")
 
 _status = 0
 

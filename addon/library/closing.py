@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..stage import canvas, overlay, textures
+from ..stage import overlay, paint, textures, words
 from . import bodies, pictures, rows, scanning, session, work
 
 
@@ -15,5 +15,6 @@ def close() -> None:
     pictures.close()
     bodies.close()
     textures.close()
-    canvas.close()
+    paint.close()
+    words.close()
     session.close()

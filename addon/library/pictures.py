@@ -31,6 +31,7 @@ STILLS: Kept[NDArray[np.uint8]] = Kept("Stills", 64_000_000)
 STRIPS: Kept[Strip] = Kept("Moving strips", 96_000_000)
 NOTHING = np.empty((0, 0, 4), np.uint8)
 """Stands for a picture that there is not."""
+ENTRY_BYTES = 500  # what keeping a picture takes besides its pixels, and knowing that there is none
 
 _icons: Any = None
 
@@ -102,7 +103,7 @@ def _squared(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 def _keep_still(clip_id: int, picture: Any, error: BaseException | None) -> None:
     shown = NOTHING if picture is None or error is not None else picture
-    STILLS.keep(clip_id, shown, shown.nbytes)
+    STILLS.keep(clip_id, shown, shown.nbytes + ENTRY_BYTES)
     if _icons is not None and len(_icons) > ICONS_AT_MOST:
         drop_icons()  # here and not while a panel is drawn, which may show them
     redraw.everything()
@@ -111,7 +112,7 @@ def _keep_still(clip_id: int, picture: Any, error: BaseException | None) -> None
 def _keep_strip(clip_id: int, preview: Any, error: BaseException | None) -> None:
     there = preview is not None and error is None
     kept = Strip(preview.frames, preview.rate_hz) if there else Strip(NOTHING[None][:0], 0.0)
-    STRIPS.keep(clip_id, kept, kept.frames.nbytes)
+    STRIPS.keep(clip_id, kept, kept.frames.nbytes + ENTRY_BYTES)
     redraw.everything()
 
 

@@ -27,6 +27,7 @@ PACKAGE = __package__.rpartition(".")[0]
 DATABASE = "library.sqlite"
 VARIABLE = "MOTION_THEATER_LIBRARY"
 RETRY_S = 5.0
+MOMENT_S = 0.015
 MENU_FIELDS = ("format", "tag", "subject", "group")
 
 
@@ -115,6 +116,13 @@ def ensure_open() -> None:
     if not state.is_open or is_due:
         state.is_open, state.asked = True, time.monotonic()
         refresh()
+
+
+def begin() -> None:
+    """Read what the library holds, and let the first redraw have clips to show if that is a matter of a moment."""
+    ensure_open()
+    if not len(state.ids):
+        work.give("data", "search", MOMENT_S)
 
 
 def refresh() -> None:

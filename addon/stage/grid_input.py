@@ -34,6 +34,7 @@ class GridInput:
     """The places of the last redraw, and how mouse and keys act on them."""
 
     def __init__(self, host: Host) -> None:
+        session.begin()
         self.host = host
         self.field = TextField(session.state.words)
         self.area = Rect(0, 0, 0, 0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..library import scanning, session
+from ..library import rows, scanning, session
 from ..logic.library import facts
 from ..logic.library.grid import Grid
 from ..logic.library.rect import Rect
@@ -38,13 +38,19 @@ class GridView(GridInput):
         self._draw_bar(canvas)
         canvas.within(self.grid.view)
         found = session.state.ids
+        played: Rect | None = None
         for index in self.grid.visible(Remembered.scroll):
             hovered_s = window.now - self.hovered_since if index == self.hovered else None
             place = self.grid.tile(index, Remembered.scroll)
             is_active = index == session.state.active
-            tile.draw(canvas, place, int(found[index]), is_active=is_active, hovered_s=hovered_s)
+            bar = tile.draw(canvas, place, int(found[index]), is_active=is_active, hovered_s=hovered_s)
+            played = played or bar
+        rows.fetch()  # while this redraw goes on, so that the next one has it
         if not len(found):
             self._draw_nothing(canvas)
+        if played is not None:
+            canvas.layer()
+            canvas.box(played, look.ACCENT_HOVERED)
         canvas.within(None)
         handle = self.grid.bar(Remembered.scroll, SCROLL_BAR * canvas.scale)
         if handle is not None:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 Points = list[tuple[float, float]]
 
+CAP = 6  # points of the half circle at the end of a stroke
+
 # Convex shapes in a square from (0, 0) to (1, 1), their corners against the clock.
 POLYGONS: dict[str, Sequence[Points]] = {
     "PLAY": [[(0.24, 0.1), (0.88, 0.5), (0.24, 0.9)]],
@@ -71,9 +73,7 @@ def icon(name: str, size: float, color: Color) -> Mesh:
     lines = [*LINES.get(name, ()), *(_ring() if name == "FIND" else ())]
     if lines:
         ends = np.array(lines) * size
-        radius = np.full(len(ends), max(0.9, 0.075 * size))
-        colors = np.repeat([color], len(ends), 0)
-        meshes.append(shapes.capsules(shapes.strokes(ends[:, :2], ends[:, 2:], radius, radius, colors)))
+        meshes.append(shapes.strokes(ends[:, :2], ends[:, 2:], max(0.9, 0.075 * size), color, CAP))
     return shapes.joined(meshes)
 
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 import textwrap
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from ..library import bodies, rows, session
-from ..logic.library import camera, clock, figures
+from ..logic.library import clock, figures
 from ..logic.library.marks import Marks
 from ..logic.library.pages import Pages
 from ..logic.library.rect import Rect, cells
 from ..translations import text
 from . import look, transport
+from .performance import CAPS, Performance
 from .tile import line
 
 if TYPE_CHECKING:
@@ -59,9 +58,8 @@ class StageView:
         self.area = Rect(0, 0, 0, 0)
         self.free = Rect(0, 0, 0, 0)
         self.transport = transport.Transport(self)
+        self.performance = Performance()
         self.began = False
-        self.home: tuple[np.ndarray, float] | None = None
-        """Where the view was at the beginning: what it turned about, and from how far."""
 
     # -- What plays ---------------------------------------------------------------------------------------------------
 
@@ -120,12 +118,9 @@ class StageView:
         self.pages = Pages(len(session.state.ids), self.pages.size, min(self.pages.first, len(session.state.ids)))
         if session.state.active not in self.pages.shown:
             session.state.active = self.pages.first if self.pages.shown else -1
-        if self.home is None:
-            self.home = (window.location.copy(), window.distance)
         height = self.transport.height(canvas.scale)
         self.area = window.free._replace(y=window.free.y + height, height=window.free.height - height)
         self.places = cells(self.area.inset(3 * canvas.scale), self.pages.size, 4 * canvas.scale)
-        canvas.roundness = 7 if self.is_single else 4
         canvas.box(window.region, look.CELL)
         clips = [rows.get(int(session.state.ids[index])) for index in self.pages.shown]
         shown = [bodies.get(clip) if clip is not None else None for clip in clips]
@@ -134,12 +129,17 @@ class StageView:
         for place, index, *_ in cast if not self.is_single else ():
             border = look.ACCENT_HOVERED if index == session.state.active else look.LINE
             canvas.frame(place, border, 1.5 * canvas.scale, 4 * canvas.scale, look.CELL)
-        for place, _, _, body in cast:
-            if isinstance(body, figures.Body):
-                picture = _picture(place, canvas.scale)
-                canvas.within(picture)
-                self._draw_figure(canvas, window, picture, body)
-        canvas.within(None)
+        self.performance.draw(
+            canvas,
+            window,
+            [
+                (_picture(place, canvas.scale), body, self.frame(body, window.now))
+                for place, _, _, body in cast
+                if isinstance(body, figures.Body)
+            ],
+            cap=CAPS[self.pages.size],
+            follows=self.follows,
+        )
         for place, _, clip, body in cast:
             self._draw_caption(canvas, window, place, clip, body)
         if not clips:
@@ -169,31 +169,6 @@ class StageView:
         x, wide = place.middle[0], place.width - 12 * scale
         canvas.text(x, place.y + 23 * scale, clip.name, look.TEXT, 12.5, width=wide, align="CENTER")
         canvas.text(x, place.y + 8 * scale, shown, look.TEXT_DIM, 10, width=wide, align="CENTER")
-
-    def _draw_figure(self, canvas: Canvas, window: Window, picture: Rect, body: figures.Body) -> None:
-        frame = self.frame(body, window.now)
-        _, here = figures.pose(body, frame)
-        x, y, reach = body.reach
-        if self.follows:
-            offset, centre, radius = np.array([-here[0], -here[1], 0.0]), np.zeros(2), body.radius
-            patch = max(1.15 * body.radius, 0.62 * body.height)
-        else:
-            offset, centre, radius = np.zeros(3), np.array([x, y]), reach + body.radius
-            patch = 1.05 * radius
-        seen = self._camera(window, picture, body, centre, radius)
-        canvas.strokes(figures.floor(seen, centre, patch, body.floor, offset[:2]))
-        canvas.strokes(figures.drawn(body, frame, seen, offset))
-
-    def _camera(
-        self, window: Window, picture: Rect, body: figures.Body, centre: np.ndarray, radius: float
-    ) -> camera.Camera:
-        """Return the camera of a stage: as the view is turned, moved and zoomed since the stage was opened."""
-        home, distance = self.home or (window.location, window.distance)
-        away = camera.distance_for(picture, radius, body.height / 2)
-        zoom = window.distance / distance if distance > 0 else 1.0
-        middle = np.array([centre[0], centre[1], body.floor + body.height / 2])
-        target = middle + (window.location - home) * (away / distance if distance > 0 else 1.0)
-        return camera.Camera(window.rotation, target, away * zoom, picture, window.has_perspective)
 
     # -- Events -------------------------------------------------------------------------------------------------------
 

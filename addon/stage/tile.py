@@ -21,8 +21,8 @@ CAPTION = 38.0
 MOVES_AFTER_S = 0.12
 
 
-def draw(canvas: Canvas, area: Rect, clip_id: int, *, is_active: bool, hovered_s: float | None) -> None:
-    """Draw a tile. `hovered_s` is how long the mouse has been on it."""
+def draw(canvas: Canvas, area: Rect, clip_id: int, *, is_active: bool, hovered_s: float | None) -> Rect | None:
+    """Draw a tile. `hovered_s` is how long the mouse has been on it. Return the bar that says how far its strip is."""
     scale = canvas.scale
     radius = look.RADIUS * scale
     fill = look.TILE if hovered_s is None else look.TILE_HOVERED
@@ -32,12 +32,16 @@ def draw(canvas: Canvas, area: Rect, clip_id: int, *, is_active: bool, hovered_s
     clip = rows.get(clip_id)
     picture = Rect(area.x, area.y + CAPTION * scale, area.width, area.height - CAPTION * scale).inset(3 * scale)
     if clip is None:
-        return
+        _ask_for_pictures(clip_id, is_hovered=hovered_s is not None)
+        return None
+    _draw_caption(canvas, area, clip)
     if clip.error:
         _draw_error(canvas, picture, clip.error)
-    else:
-        _draw_picture(canvas, picture, clip_id, hovered_s)
-    _draw_caption(canvas, area, clip)
+        return None
+    played = _draw_strip(canvas, picture, clip_id, hovered_s - MOVES_AFTER_S) if hovered_s is not None else None
+    if played is None:
+        _draw_still(canvas, picture, clip_id)
+    return played
 
 
 def is_moving(clip_id: int) -> bool:
@@ -46,21 +50,29 @@ def is_moving(clip_id: int) -> bool:
     return strip is None or len(strip.frames) > 0
 
 
-def _draw_picture(canvas: Canvas, area: Rect, clip_id: int, hovered_s: float | None) -> None:
-    """Draw the still; after a moment under the mouse the strip, by time."""
-    if hovered_s is not None and hovered_s >= MOVES_AFTER_S:
-        strip = pictures.strip(clip_id)
-        if strip is not None and len(strip.frames) and strip.rate_hz > 0:
-            number = int((hovered_s - MOVES_AFTER_S) * strip.rate_hz) % len(strip.frames)
-            frame = strip.frames[number]
-            texture = textures.get((clip_id, number), frame)
-            if texture is not None:
-                place = area.fitted(frame.shape[1] / frame.shape[0])
-                canvas.picture(texture, place)
-                share = (number + 1) / len(strip.frames)
-                bar = Rect(place.x, area.y, place.width * share, 2 * canvas.scale)
-                canvas.box(bar, look.ACCENT_HOVERED)
-                return
+def _ask_for_pictures(clip_id: int, *, is_hovered: bool) -> None:
+    """Have pictures fetched: they need not wait until what is known of the clip has come."""
+    pictures.still(clip_id)
+    if is_hovered:
+        pictures.strip(clip_id)
+
+
+def _draw_strip(canvas: Canvas, area: Rect, clip_id: int, played_s: float) -> Rect | None:
+    """Draw the moving picture, by time. Return how far it is, as a bar below it; None where there is none yet."""
+    strip = pictures.strip(clip_id)  # asked for at once, so that it is there when it is to move
+    if played_s < 0.0 or strip is None or not len(strip.frames) or strip.rate_hz <= 0:
+        return None
+    number = int(played_s * strip.rate_hz) % len(strip.frames)
+    frame = strip.frames[number]
+    texture = textures.get((clip_id, number), frame)
+    if texture is None:
+        return None
+    place = area.fitted(frame.shape[1] / frame.shape[0])
+    canvas.picture(texture, place)
+    return Rect(place.x, area.y, place.width * (number + 1) / len(strip.frames), 2 * canvas.scale)
+
+
+def _draw_still(canvas: Canvas, area: Rect, clip_id: int) -> None:
     still = pictures.still(clip_id)
     if still is None:
         return

@@ -6,19 +6,18 @@ from typing import TYPE_CHECKING
 
 from ..logic.library.rect import Rect
 from ..logic.library.timeline import Grip, Timeline
-from ..translations import text
-from . import buttons, look
-from .buttons import Button, Placed
+from . import buttons, look, timeline_bar
+from . import transport_buttons as rows
 
 if TYPE_CHECKING:
     from ..logic.library.marks import Marks
+    from .buttons import Placed
     from .canvas import Canvas
     from .stage_view import StageView
     from .view import Input, Window
 
 TIMELINE_HEIGHT = 30.0
 REACH = 6.0
-TICK_SPACING = 70.0
 SIZES = {"ONE": 1, "FOUR": 4, "NINE": 9}
 
 
@@ -49,158 +48,30 @@ class Transport:
         bar = Rect(inner.x, self.area.top - (TIMELINE_HEIGHT - 2) * scale, inner.width, 16 * scale)
         upper = self.area.y + 1.5 * look.BAR_HEIGHT * scale
         lower = self.area.y + 0.5 * look.BAR_HEIGHT * scale + 2 * scale
-        self._draw_timeline(canvas, window, bar)
+        marks, head = self._lay_timeline(bar, window.now)
+        timeline_bar.draw(canvas, self.timeline, marks, self.stage.clip.segments if self.stage.clip is not None else ())
         measure = canvas.width
         self.placed = [
-            *buttons.row(self._playing(window.now), inner.x, upper, scale, measure),
-            *buttons.row(self._paging(), inner.x, lower, scale, measure),
-            *buttons.row_to(self._marking(), inner.right, upper, scale, measure),
-            *buttons.row_to(self._using(), inner.right, lower, scale, measure),
+            *buttons.row(rows.playing(self.stage, window.now), inner.x, upper, scale, measure),
+            *buttons.row(rows.paging(self.stage), inner.x, lower, scale, measure),
+            *buttons.row_to(rows.marking(self.stage), inner.right, upper, scale, measure),
+            *buttons.row_to(rows.using(self.stage), inner.right, lower, scale, measure),
         ]
         under = buttons.at(self.placed, *window.mouse) if window.is_over and self.held is None else None
         buttons.draw(canvas, self.placed, under.button.name if under else "")
+        timeline_bar.draw_head(canvas, self.timeline, head)
         if under is not None:
             buttons.draw_tip(canvas, under, free)
 
-    def _draw_timeline(self, canvas: Canvas, window: Window, bar: Rect) -> None:
-        scale, stage = canvas.scale, self.stage
-        body, clip = stage.body(), stage.clip
-        marks = stage.marks() if stage.is_single else None
-        canvas.box(bar, look.FIELD, 3 * scale)
-        if marks is not None and body is not None:
+    def _lay_timeline(self, bar: Rect, now: float) -> tuple[Marks | None, float]:
+        """Lay frames, or seconds, over the bar. Return the marks, where frames are shown, and where the playhead is."""
+        stage = self.stage
+        body, marks = stage.body(), stage.marks() if stage.is_single else None
+        if body is not None and marks is not None:
             self.timeline = Timeline(bar, marks.first, marks.last)
-            for first, last in clip.segments if clip is not None else ():
-                x, end = (self.timeline.x(min(max(frame, marks.first), marks.last)) for frame in (first, last))
-                canvas.box(Rect(x, bar.y, max(2.0, end - x), 4 * scale), look.USABLE)
-            begin, end = (self.timeline.x(frame) for frame in marks.range)
-            if marks.are_set:
-                tint = (*look.MARK[:3], 0.28)
-                canvas.box(Rect(begin, bar.y, max(1.0, end - begin), bar.height), tint)
-            head = marks.first + stage.frame(body, window.now)
-            self._draw_ticks(canvas, bar)
-            for x, is_begin in ((begin, True), (end, False)):
-                _draw_mark(canvas, bar, x, is_begin=is_begin, is_set=marks.are_set)
-        else:
-            self.timeline = Timeline(bar, 0.0, stage.clock.duration_s)
-            head = stage.clock.position(window.now)
-        x = self.timeline.x(head)
-        canvas.layer()
-        canvas.box(Rect(x - scale, bar.y - 3 * scale, 2 * scale, bar.height + 6 * scale), look.TEXT, scale)
-        canvas.icon("HEAD", Rect(x - 6 * scale, bar.top - 2 * scale, 12 * scale, 12 * scale), look.TEXT)
-
-    def _draw_ticks(self, canvas: Canvas, bar: Rect) -> None:
-        scale = canvas.scale
-        for frame in self.timeline.ticks(TICK_SPACING * scale):
-            x = self.timeline.x(frame)
-            canvas.box(Rect(x, bar.y, 1, bar.height), (*look.TEXT_FAINT[:3], 0.5))
-            if x + 34 * scale < bar.right:
-                canvas.text(x + 4 * scale, bar.y + 4.5 * scale, str(frame), look.TEXT_FAINT, 9)
-
-    def _playing(self, now: float) -> list[Button]:
-        stage = self.stage
-        is_playing = stage.clock.is_playing
-        return [
-            Button("STOP", icon="STOP", tip=text("Stop: back to the beginning. Home")),
-            Button("STEP_BACK", icon="STEP_BACK", tip=text("One frame back. Left Arrow")),
-            Button(
-                "PLAY",
-                icon="PAUSE" if is_playing else "PLAY",
-                tip=text("Pause. Space") if is_playing else text("Play. Space"),
-                is_on=is_playing,
-                width=40,
-            ),
-            Button("STEP_ON", icon="STEP_ON", tip=text("One frame on. Right Arrow")),
-            Button(),
-            Button("SLOWER", "-", tip=text("Slower. Down Arrow"), width=22),
-            Button(label=f"{stage.clock.speed:g} x", width=40),
-            Button("FASTER", "+", tip=text("Faster. Up Arrow"), width=22),
-            Button(),
-            Button(label=self._time(now), width=150),
-        ]
-
-    def _time(self, now: float) -> str:
-        stage = self.stage
-        body = stage.body()
-        if stage.is_single and body is not None:
-            frame = body.first_frame + round(stage.frame(body, now))
-            last = body.first_frame + body.frames - 1
-            seconds = stage.clock.position(now)
-            return text("Frame {frame} of {last}   {seconds} s", frame=frame, last=last, seconds=f"{seconds:.2f}")
-        position, duration = stage.clock.position(now), stage.clock.duration_s
-        return text("{now} of {all} s", now=f"{position:.2f}", all=f"{duration:.2f}")
-
-    def _paging(self) -> list[Button]:
-        stage = self.stage
-        pages = stage.pages
-        first, last = text("This is the first clip"), text("This is the last clip")
-        return [
-            Button(
-                "PAGE_BACK",
-                icon="PAGE_BACK",
-                tip=text("The clips before. Page Up"),
-                reason="" if pages.has_previous else first,
-            ),
-            Button(label=pages.words(), width=110),
-            Button(
-                "PAGE_ON", icon="PAGE_ON", tip=text("The next clips. Page Down"), reason="" if pages.has_next else last
-            ),
-            Button(),
-            Button("ONE", "1", tip=text("One clip, with marks. 1"), is_on=pages.size == 1),
-            Button("FOUR", "4", tip=text("Four clips at a time. 4"), is_on=pages.size == 4),
-            Button("NINE", "9", tip=text("Nine clips at a time. 9"), is_on=pages.size == 9),
-            Button(),
-            Button(
-                "FOLLOW",
-                text("Follow"),
-                tip=text("Keep figures in the middle while the floor passes below them. P"),
-                is_on=stage.follows,
-            ),
-        ]
-
-    def _marking(self) -> list[Button]:
-        stage = self.stage
-        if not stage.is_single:
-            return [Button(label=text("Double-click a clip to open it"))]
-        marks = stage.marks()
-        not_read = "" if marks is not None else text("The clip is not read")
-        unset = not_read or ("" if marks is not None and marks.are_set else text("Set an in or out mark first"))
-        words = _cut_words(marks)
-        return [
-            *([Button(label=words)] if words else []),
-            Button("BEGIN", text("In"), "BEGIN", text("Take the clip from this frame. I"), reason=not_read),
-            Button("END", text("Out"), "END", text("Take the clip up to this frame. O"), reason=not_read),
-            Button("CLEAR", text("Clear"), tip=text("Take the whole clip"), reason=unset),
-            Button(
-                "USABLE",
-                text("Mark Usable"),
-                "CHECK",
-                text("Note in the library that this piece is usable. U"),
-                reason=unset,
-            ),
-        ]
-
-    def _using(self) -> list[Button]:
-        stage = self.stage
-        nothing = "" if stage.clip is not None else text("No clip is selected")
-        back = text("Back to where you came from. Esc")
-        return [
-            Button(
-                "ADD",
-                text("Add as Track"),
-                "ADD",
-                text("Add this clip, from mark to mark, to the active armature. Enter"),
-                is_main=True,
-                reason=nothing or stage.host.reason("library_add_track"),
-            ),
-            Button(
-                "IMPORT",
-                text("Import as New"),
-                tip=text("Import this clip with an armature of its own. Shift N"),
-                reason=nothing or stage.host.reason("library_import"),
-            ),
-            Button(),
-            Button("LEAVE", text("Back"), "BACK", back),
-        ]
+            return marks, marks.first + stage.frame(body, now)
+        self.timeline = Timeline(bar, 0.0, stage.clock.duration_s)
+        return None, stage.clock.position(now)
 
     # -- Events -------------------------------------------------------------------------------------------------------
 
@@ -293,20 +164,3 @@ class Transport:
             stage.host.run("library_add_track", clip=clip.id, cut_start=begin, cut_end=end)
         elif name == "IMPORT":
             stage.host.run("library_import", clip=clip.id)
-
-
-def _cut_words(marks: Marks | None) -> str:
-    if marks is None or not marks.are_set:
-        return ""
-    first, last = marks.range
-    return text("Cut {first}-{last}", first=first, last=last)
-
-
-def _draw_mark(canvas: Canvas, bar: Rect, x: float, *, is_begin: bool, is_set: bool) -> None:
-    """Draw a bracket that can be taken hold of."""
-    scale = canvas.scale
-    color = look.MARK if is_set else look.TEXT_FAINT
-    canvas.box(Rect(x - scale, bar.y - 2 * scale, 2 * scale, bar.height + 4 * scale), color)
-    foot = 6 * scale
-    for y in (bar.y - 2 * scale, bar.top):
-        canvas.box(Rect(x if is_begin else x - foot, y, foot, 2 * scale), color)

@@ -10,7 +10,6 @@ import importlib
 import os
 import random
 import shutil
-import statistics
 import sys
 import time
 from collections.abc import Callable
@@ -90,13 +89,17 @@ def button(name: str) -> hand.Session:
 
 def told(what: str) -> None:
     """Print what redraws took since the last time, and forget it."""
-    took = ours("stage.overlay").current.draw_s
+    took = sorted(ours("stage.overlay").current.draw_s)
     work = ours("library.work")
     if took:
-        median, worst = statistics.median(took), max(took)
-        print(f"{what}: {len(took)} redraws, our part {1e3 * median:.2f} ms, at worst {1e3 * worst:.2f} ms", flush=True)
+        median, most, worst = (1e3 * took[int(share * (len(took) - 1))] for share in (0.5, 0.95, 1.0))
+        print(
+            f"{what}: {len(took)} redraws, our part {median:.2f} ms, 95 of 100 below {most:.2f} ms, "
+            f"at worst {worst:.2f} ms",
+            flush=True,
+        )
     print(f"{what}: the longest slice of the main thread {1e3 * work.longest_slice_s:.1f} ms", flush=True)
-    took.clear()
+    ours("stage.overlay").current.draw_s.clear()
 
 
 def until(done: Callable[[], bool], seconds: float = 240.0) -> hand.Session:
@@ -136,11 +139,44 @@ def scan() -> hand.Session:
     yield from hand.shot("library-3-panel")
 
 
+def opening() -> hand.Session:
+    """Open the library as after the start of Blender, with nothing read, and wait until pictures are drawn and move."""
+    canvas, textures = ours("stage.canvas"), ours("stage.textures")
+    draw, seen = canvas.Canvas.draw, dict[str, float]()
+
+    def noting(self: Any) -> None:
+        draw(self)
+        shown = {id(texture) for _, layers in self._clips for layer in layers for texture, _ in layer.pictures}
+        for _, number in textures.TEXTURES.keys_of(lambda texture: id(texture) in shown):
+            seen.setdefault("still" if number < 0 else "strip", time.monotonic())
+
+    canvas.Canvas.draw = noting
+    view = drive.region("WINDOW")
+    drive.move(view.x + view.width // 3, view.y + view.height // 4)
+    yield 0.5
+    ours("library.closing").close()
+    begin = time.monotonic()
+    with bpy.context.temp_override(window=drive.window(), area=drive.area(), region=view):
+        bpy.ops.motion_theater.library_browse("INVOKE_DEFAULT")
+    for step in range(400):
+        if len(seen) == 2:
+            break
+        if looking().grid.count:
+            x, y = tile_of_view()
+            drive.move(x + step % 3, y)
+        yield 0.05
+    canvas.Canvas.draw = draw
+    assert len(seen) == 2, f"drawn was {list(seen)}"
+    still, strip = (1e3 * (seen[what] - begin) for what in ("still", "strip"))
+    print(f"opening: first still after {still:.0f} ms, first strip after {strip:.0f} ms", flush=True)
+    told("opening")
+    yield from hand.settle(2)
+
+
 def grid() -> hand.Session:
     """Browse: scroll, search, look at a moving picture."""
     session = ours("library.session")
-    yield from hand.press("motion_theater.library_browse", column=0.25)
-    yield from hand.settle(2)
+    yield from opening()
     drive.screenshot("library-4-grid")
     for _ in range(20):
         yield from wheel("WHEELDOWNMOUSE", tile_of_view())

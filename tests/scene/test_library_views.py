@@ -52,6 +52,14 @@ def test_the_grid_shows_every_clip_with_its_facts_and_why_one_cannot_be_read() -
     assert any(text.startswith("AMC") and "Hz" in text for text in texts)
 
 
+def test_the_first_redraw_has_the_clips_that_a_quick_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+    closing.close()
+    monkeypatch.setattr(session, "MOMENT_S", 60.0)
+    screen = library.Screen(grid_view.GridView)
+    screen.view.draw(library.canvas.Canvas(1.0), screen._window())
+    assert screen.view.grid.count == len(library.NAMES)
+
+
 def test_a_click_selects_and_a_double_click_opens() -> None:
     screen = grid()
     on_tile(screen, "turn.amc")
@@ -225,15 +233,28 @@ def test_zooming_the_view_zooms_the_stages() -> None:
     screen = stage(1)
 
     def height() -> float:
-        strokes = [some for _, layers in screen.draw()._clips for layer in layers for some in layer.strokes]
-        return float(
-            max(some.begins[:, 1].max() for some in strokes) - min(some.begins[:, 1].min() for some in strokes)
-        )
+        ((moving, _),) = [one for _, layers in screen.draw()._clips for layer in layers for one in layer.figures]
+        shown = moving.cast.places[moving.cast.colors[:, 3] > 0]
+        return float(shown[:, 1].max() - shown[:, 1].min())
 
     screen.rotation = library.np.array([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]])
     before = height()
     screen.distance = 20.0
     assert height() < 0.7 * before
+
+
+def test_what_looks_the_same_is_the_same_for_the_graphics_card() -> None:
+    """Between two redraws of a clip that plays, only figures and the playhead move, and words change."""
+    screen = stage(4)
+    screen.draw()
+    before = [layer for _, layers in screen.sheet._clips for layer in layers]
+    screen.now += 0.3
+    after = [layer for _, layers in screen.draw()._clips for layer in layers]
+    assert [layer.flat for layer in before] == [layer.flat for layer in after]
+    assert [layer.shift for layer in before] != [layer.shift for layer in after]
+    figures = [{id(moving) for layer in layers for moving, _ in layer.figures} for layers in (before, after)]
+    assert len(figures[0]) == 1
+    assert figures[0] == figures[1]
 
 
 def test_what_cannot_be_read_says_so_on_its_stage() -> None:

@@ -1,7 +1,8 @@
-"""A small stage's camera: turned as the 3D View is, and far enough away to show the whole figure."""
+"""The cameras of small stages: turned as the 3D View is, and far enough away to show the whole figure."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,34 +19,42 @@ MARGIN = 1.12
 
 @dataclass(frozen=True)
 class Camera:
-    """Maps metres to pixels. The rows of `rotation` are the view's right, up and backward axes in the world."""
+    """Maps metres to pixels, in the direction that all stages have in common."""
 
-    rotation: Floats
     target: Floats
     """(3,) the point in the middle of the picture."""
     distance: float
     """Metres from the eye to the target; without perspective only the scale depends on it."""
     picture: Rect
-    has_perspective: bool = True
 
-    @property
-    def focal(self) -> float:
+
+class Cameras:
+    """Cameras that look the same way. The rows of `rotation` are the view's right, up and backward axes in the world.
+
+    They map many points in one go. `whose` are the (n,) numbers of the cameras that see each of them.
+    """
+
+    def __init__(self, rotation: Floats, cameras: Sequence[Camera], *, has_perspective: bool = True) -> None:
+        self.rotation = rotation
+        self.has_perspective = has_perspective
+        self._targets = np.array([camera.target for camera in cameras]).reshape(-1, 3)
+        self._distances = np.array([camera.distance for camera in cameras])
+        self._middles = np.array([camera.picture.middle for camera in cameras]).reshape(-1, 2)
+        self._focals = LENS * np.array([camera.picture.height for camera in cameras])
         """Pixels per unit of slope."""
-        return LENS * self.picture.height
 
-    def project(self, points: Floats) -> tuple[Floats, Floats]:
-        """Return (n, 2) pixels and (n,) distances in front of the eye of (n, 3) points; NaN what is not to be seen."""
-        seen = (points - self.target) @ self.rotation.T
-        depth = self.distance - seen[:, 2]
-        with np.errstate(invalid="ignore"):
-            depth = np.where(depth > NEAREST, depth, np.nan) if self.has_perspective else depth
-        scale = self.focal / (depth if self.has_perspective else np.full_like(depth, self.distance))
-        pixels = seen[:, :2] * scale[:, None] + np.array(self.picture.middle)
-        return pixels, depth
-
-    def pixels_per_metre(self, depth: Floats) -> Floats:
-        """Return how large a metre is at (n,) distances from the eye."""
-        return self.focal / (depth if self.has_perspective else np.full_like(depth, self.distance))
+    def project(self, points: Floats, whose: NDArray[np.int32]) -> tuple[Floats, Floats, Floats]:
+        """Return what is seen of (n, 3) points: (n, 2) pixels, NaN what is not to be seen, (n,) distances in front of
+        the eye, and (n,) how many pixels long a metre is there.
+        """
+        seen = (points - self._targets[whose]) @ self.rotation.T
+        away = self._distances[whose]
+        depth = away - seen[:, 2]
+        if self.has_perspective:
+            with np.errstate(invalid="ignore"):
+                away = depth = np.where(depth > NEAREST, depth, np.nan)
+        scale = self._focals[whose] / away
+        return seen[:, :2] * scale[:, None] + self._middles[whose], depth, scale
 
 
 def distance_for(picture: Rect, radius: float, half_height: float) -> float:

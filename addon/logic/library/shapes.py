@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.floating]
 Color = tuple[float, float, float, float]
 
-CORNER = 5  # points of the quarter circle at the corner of a rectangle
+CORNER = 4  # points of the quarter circle at the corner of a rectangle
 RIM = 1.0  # pixels over which an edge fades
 
 
@@ -27,7 +27,6 @@ class Mesh(NamedTuple):
     triangles: NDArray[np.int32]
 
 
-TRIANGLES_OF_RECTANGLE = 4 * CORNER - 2 + 8 * CORNER
 EMPTY = Mesh(np.empty((0, 2), np.float32), np.empty((0, 4), np.float32), np.empty((0, 3), np.int32))
 
 
@@ -45,63 +44,39 @@ def joined(meshes: Sequence[Mesh]) -> Mesh:
 
 
 @lru_cache(maxsize=64)
-def _pattern(corners: int) -> NDArray[np.int32]:
-    """Return the triangles of one convex shape: its core as a fan, and two for each piece of its rim."""
+def _pattern(corners: int, rings: int) -> NDArray[np.int32]:
+    """Return the triangles of one convex shape: its core as a fan, and two for each piece between two rings."""
     here = np.arange(corners)
     following = (here + 1) % corners
-    fan = np.stack([np.zeros(corners - 2, int), here[1:-1], here[2:]], axis=1)
-    inner = np.stack([here, following, here + corners], axis=1)
-    outer = np.stack([following, following + corners, here + corners], axis=1)
-    return np.concatenate([fan, inner, outer]).astype(np.int32)
+    found = [np.stack([np.zeros(corners - 2, int), here[1:-1], here[2:]], axis=1)]
+    for inside in range(0, (rings - 1) * corners, corners):
+        outside = inside + corners
+        found.append(np.stack([inside + here, inside + following, outside + here], axis=1))
+        found.append(np.stack([inside + following, outside + following, outside + here], axis=1))
+    return np.concatenate(found).astype(np.int32)
 
 
-def _outlined(core: Floats, rim: Floats, colors: Floats) -> Mesh:
-    """Return convex shapes from (n, k, 2) corners, (n, k, 2) faded corners around them, and their (n, k, 4) colors."""
-    count, corners = core.shape[:2]
-    faded = colors.copy()
-    faded[:, :, 3] = 0.0
-    places = np.concatenate([core, rim], axis=1).reshape(-1, 2)
-    tints = np.concatenate([colors, faded], axis=1)
-    one = _pattern(corners)
-    triangles = one[None] + (np.arange(count, dtype=np.int32) * 2 * corners)[:, None, None]
-    return Mesh(places.astype(np.float32), tints.reshape(-1, 4).astype(np.float32), triangles.reshape(-1, 3))
+@lru_cache(maxsize=64)
+def triangles(count: int, corners: int, rings: int) -> NDArray[np.int32]:
+    """Return the triangles of several convex shapes of as many rings with as many corners each."""
+    one = _pattern(corners, rings)
+    starts = np.arange(count, dtype=np.int32) * rings * corners
+    return (one[None] + starts[:, None, None]).reshape(-1, 3)
 
 
-class Strokes(NamedTuple):
-    """Strokes with round ends that may taper; equal ends make a disc. All float64, without NaN."""
-
-    begins: Floats
-    """(n, 2) pixels."""
-    ends: Floats
-    radii: Floats
-    """(n, 2) at both ends."""
-    colors: Floats
-    """(n, 2, 4) at both ends."""
+def _ringed(rings: Sequence[Floats], colors: Sequence[Floats]) -> Mesh:
+    """Return convex shapes from their rings, the innermost first: (n, k, 2) corners and (n, k, 4) colors of each."""
+    count, corners = rings[0].shape[:2]
+    places = np.concatenate(rings, axis=1, dtype=np.float32).reshape(-1, 2)
+    tints = np.concatenate(colors, axis=1, dtype=np.float32).reshape(-1, 4)
+    return Mesh(places, tints, triangles(count, corners, len(rings)))
 
 
-NO_STROKES = Strokes(np.empty((0, 2)), np.empty((0, 2)), np.empty((0, 2)), np.empty((0, 2, 4)))
-
-
-def strokes(begins: Floats, ends: Floats, begin_radii: Floats, end_radii: Floats, colors: Floats) -> Strokes:
-    """Return strokes, without those of which an end is NaN. Colors are (n, 4), or (n, 2, 4) with one for each end."""
-    tints = np.asarray(colors, float)
-    if tints.ndim == 2:
-        tints = np.repeat(tints[:, None], 2, axis=1)
-    found = Strokes(begins, ends, np.stack([begin_radii, end_radii], axis=1), tints)
-    keep = np.isfinite(begins).all(1) & np.isfinite(ends).all(1)
-    return found if keep.all() else Strokes(*(field[keep] for field in found))
-
-
-def gathered(found: Sequence[Strokes]) -> Strokes:
-    """Return several lists of strokes as one, in their order."""
-    if not found:
-        return NO_STROKES
-    return found[0] if len(found) == 1 else Strokes(*(np.concatenate(fields) for fields in zip(*found, strict=True)))
-
-
-def triangles_of_stroke(cap: int) -> int:
-    """Return how many triangles a stroke is made of, whose half circles at the ends have `cap` points."""
-    return 6 * cap - 2
+def faded(colors: Floats) -> Floats:
+    """Return colors that cannot be seen."""
+    clear = colors.copy()
+    clear[..., 3] = 0.0
+    return clear
 
 
 @lru_cache(maxsize=8)
@@ -112,21 +87,48 @@ def _turns(cap: int) -> tuple[Floats, Floats, NDArray[np.int64]]:
     return np.cos(turn, dtype=np.float32), np.sin(turn, dtype=np.float32), np.repeat([0, 1], cap)
 
 
-def capsules(found: Strokes, cap: int = 6) -> Mesh:
-    """Return strokes as triangles, the more the rounder."""
-    if not len(found.begins):
-        return EMPTY
-    found = Strokes(*(field.astype(np.float32) for field in found))
-    along = found.ends - found.begins
+def outlines(begins: Floats, ends: Floats, radii: Floats, away: Sequence[float], cap: int) -> Floats:
+    """Return rings around strokes with round ends that may taper, as (n, rings, 2 cap, 2); equal ends make a disc.
+
+    `begins` and `ends` are (n, 2) pixels, `radii` (n, 2) at both ends; none may be NaN. Each ring is so many pixels
+    beyond the radius. The half circle at an end has `cap` points, those of the beginning come first.
+    """
+    begins, ends, radii = (field.astype(np.float32) for field in (begins, ends, radii))
+    along = ends - begins
     length = np.hypot(along[:, 0], along[:, 1])[:, None]
     along = np.where(length > 1e-6, along / np.maximum(length, 1e-6), _RIGHT)
     x, y = along[:, :1], along[:, 1:]
     cosine, sine, at_end = _turns(cap)
     arrows = np.stack([cosine * x - sine * y, cosine * y + sine * x], axis=2)
-    centres = np.stack([found.begins, found.ends], axis=1)[:, at_end]
-    reach = found.radii[:, at_end, None]
-    core, rim = centres + arrows * np.maximum(reach - RIM / 2, 0.0), centres + arrows * (reach + RIM / 2)
-    return _outlined(core, rim, found.colors[:, at_end])
+    centres = np.stack([begins, ends], axis=1)[:, at_end]
+    reach = radii[:, None, at_end] + np.array(away, np.float32)[:, None]
+    rings: Floats = centres[:, None] + arrows[:, None] * np.maximum(reach, 0.0)[..., None]
+    return rings
+
+
+def strokes(begins: Floats, ends: Floats, radius: float, color: Color, cap: int) -> Mesh:
+    """Return strokes with round ends and soft edges."""
+    rings = outlines(begins, ends, np.full((len(begins), 2), radius), (-RIM / 2, RIM / 2), cap)
+    tints = np.broadcast_to(np.array(color), (len(begins), 2 * cap, 4))
+    return _ringed([rings[:, 0], rings[:, 1]], [tints, faded(tints)])
+
+
+def ribbon_triangles(count: int) -> NDArray[np.int32]:
+    """Return the triangles of ribbons: two on each side of the line."""
+    one = np.array([(0, 1, 3), (0, 3, 2), (2, 3, 5), (2, 5, 4)], np.int32)
+    return (one[None] + 6 * np.arange(count, dtype=np.int32)[:, None, None]).reshape(-1, 3)
+
+
+def ribbons(begins: Floats, ends: Floats, width: float) -> Floats:
+    """Return thin straight lines with as much to each side, for a color that fades out there, as (n, 3, 2, 2).
+
+    `begins` and `ends` are (n, 2) pixels without NaN. First come the ends of the one side, then those of the line.
+    """
+    along = ends - begins
+    aside = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    aside *= width / np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-6)[:, None]
+    middle = np.stack([begins, ends], axis=1)
+    return np.stack([middle - aside[:, None], middle, middle + aside[:, None]], axis=1)
 
 
 _RIGHT = np.array([1.0, 0.0], np.float32)
@@ -137,7 +139,7 @@ _CORNER_Y = np.repeat([1.0, 1.0, 0.0, 0.0], CORNER)
 
 
 def rectangles(places: Sequence[Sequence[float]], radii: Sequence[float], colors: Sequence[Color]) -> Mesh:
-    """Return rectangles (x, y, width, height) with round corners, `TRIANGLES_OF_RECTANGLE` for each."""
+    """Return rectangles (x, y, width, height) with round corners."""
     if not places:
         return EMPTY
     box = np.asarray(places, float)
@@ -149,7 +151,7 @@ def rectangles(places: Sequence[Sequence[float]], radii: Sequence[float], colors
     reach = radius[:, :, None]
     inner = np.maximum(reach - RIM / 2, 0.0)
     tints = np.repeat(np.asarray(colors, float)[:, None], len(_ROUND), axis=1)
-    return _outlined(centres + arrows * inner, centres + arrows * (reach + RIM / 2), tints)
+    return _ringed([centres + arrows * inner, centres + arrows * (reach + RIM / 2)], [tints, faded(tints)])
 
 
 def polygon(corners: Sequence[tuple[float, float]], color: Color) -> Mesh:
@@ -161,4 +163,5 @@ def polygon(corners: Sequence[tuple[float, float]], color: Color) -> Mesh:
     outward = normals + np.roll(normals, 1, axis=0)
     outward /= np.maximum(np.hypot(outward[:, 0], outward[:, 1]), 1e-6)[:, None]
     core, rim = points - outward * RIM / 2, points + outward * RIM / 2
-    return _outlined(core[None], rim[None], np.repeat([[color]], len(points), axis=1))
+    tints = np.repeat([[color]], len(points), axis=1)
+    return _ringed([core[None], rim[None]], [tints, faded(tints)])
