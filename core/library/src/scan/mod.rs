@@ -29,18 +29,18 @@ use progress::{count, State};
 use reading::{Reader, Reading};
 use writer::Root;
 
-use crate::catalogue::{now, paths, Library};
+use crate::catalogue::{as_a_whole, now, paths, Library};
 use crate::error::LibraryError;
 use crate::index_file;
 
 /// So many files are written in one transaction at most, ...
-const BATCH_FILES: usize = 256;
+const BATCH_FILES: usize = 512;
 
 /// ... and so long the writer waits for more.
-const BATCH_TIME: Duration = Duration::from_millis(10);
+const BATCH_TIME: Duration = Duration::from_millis(20);
 
 /// So many files that were read may wait for the writer.
-const MOST_WAITING: usize = 512;
+const MOST_WAITING: usize = 1024;
 
 /// What a scan is to do.
 #[derive(Clone, Default)]
@@ -154,7 +154,7 @@ fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Resul
     let next = AtomicUsize::new(0);
     let (sender, receiver) = sync_channel(MOST_WAITING);
     let work = |sender: std::sync::mpsc::SyncSender<Reading>| {
-        let mut buffer = Vec::new();
+        let mut buffer = Arc::default();
         while !state.is_cancelled() {
             let Some(found) = plan.to_read.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
             state.take_up(&found.path);
@@ -181,18 +181,21 @@ fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Resul
 
 /// Writes files as they come in, until there are no more.
 fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
-    while let Ok(first) = receiver.recv() {
-        // Meanwhile the workers need not wake anyone for every file.
-        std::thread::sleep(BATCH_TIME);
-        let batch: Vec<Reading> = std::iter::once(first).chain(receiver.try_iter().take(BATCH_FILES)).collect();
-        library.write(|db| {
-            // Folders may come and go while a scan runs.
-            let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;
-            let root =
-                |row: &rusqlite::Row<'_>| Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) });
-            let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
-            writer::write_all(db, &roots, plan, &batch, state)
-        })?;
-    }
-    Ok(())
+    library.without_triggers(|connection| {
+        while let Ok(first) = receiver.recv() {
+            // Meanwhile the workers need not wake anyone for every file.
+            std::thread::sleep(BATCH_TIME);
+            let batch: Vec<Reading> = std::iter::once(first).chain(receiver.try_iter().take(BATCH_FILES)).collect();
+            as_a_whole(connection, |db| {
+                // Folders may come and go while a scan runs.
+                let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;
+                let root = |row: &rusqlite::Row<'_>| {
+                    Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) })
+                };
+                let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
+                writer::write_all(db, &roots, plan, &batch, state)
+            })?;
+        }
+        Ok(())
+    })
 }
