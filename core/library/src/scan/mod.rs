@@ -20,9 +20,9 @@ pub use progress::{Phase, Progress};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{sync_channel, Receiver};
+use std::sync::mpsc::{sync_channel, Receiver, TryRecvError};
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use plan::Plan;
 use progress::{count, State};
@@ -33,11 +33,12 @@ use crate::catalogue::{as_a_whole, now, paths, Library};
 use crate::error::LibraryError;
 use crate::index_file;
 
-/// So many files are written in one transaction at most, ...
+/// About so many files are written in one transaction at most, ...
 const BATCH_FILES: usize = 512;
 
-/// ... and so long the writer waits for more.
-const BATCH_TIME: Duration = Duration::from_millis(20);
+/// ... and so long the writer waits for more: at first hardly, so that something is to be seen soon, then longer, for every
+/// transaction writes much of the indexes anew.
+const BATCH_TIMES: std::ops::RangeInclusive<Duration> = Duration::from_millis(10)..=Duration::from_millis(160);
 
 /// So many files that were read may wait for the writer.
 const MOST_WAITING: usize = 1024;
@@ -182,10 +183,10 @@ fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Resul
 /// Writes files as they come in, until there are no more.
 fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
     library.without_triggers(|connection| {
+        let mut longest = *BATCH_TIMES.start();
         while let Ok(first) = receiver.recv() {
-            // Meanwhile the workers need not wake anyone for every file.
-            std::thread::sleep(BATCH_TIME);
-            let batch: Vec<Reading> = std::iter::once(first).chain(receiver.try_iter().take(BATCH_FILES)).collect();
+            let batch = batch(first, receiver, longest);
+            longest = (2 * longest).min(*BATCH_TIMES.end());
             as_a_whole(connection, |db| {
                 // Folders may come and go while a scan runs.
                 let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;
@@ -198,4 +199,22 @@ fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state
         }
         Ok(())
     })
+}
+
+/// Collects files until they are enough, there are no more, or so much time has passed.
+fn batch(first: Reading, receiver: &Receiver<Reading>, longest: Duration) -> Vec<Reading> {
+    let begun = Instant::now();
+    let mut batch = vec![first];
+    while batch.len() < BATCH_FILES && begun.elapsed() < longest {
+        // Meanwhile the workers need not wake anyone for every file.
+        std::thread::sleep(*BATCH_TIMES.start());
+        loop {
+            match receiver.try_recv() {
+                Ok(reading) => batch.push(reading),
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => return batch,
+            }
+        }
+    }
+    batch
 }
