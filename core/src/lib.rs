@@ -44,6 +44,7 @@ pub mod sidecar;
 pub mod skeleton;
 pub mod skim;
 pub mod stack;
+mod table;
 mod tally;
 mod text;
 pub mod upright;

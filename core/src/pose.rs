@@ -26,11 +26,28 @@ pub struct Pose {
 /// Returns the pose at a real-valued `frame` in the file's own numbering, clamped to the motion's range.
 /// Bones without samples stay at rest.
 pub fn pose(skeleton: &Skeleton, motion: &Motion, frame: f64) -> Pose {
+    pose_of(skeleton, motion, frame, |_| true)
+}
+
+/// Returns the pose of some bones, whose parents must be among them; the others are at the origin.
+pub(crate) fn pose_of(skeleton: &Skeleton, motion: &Motion, frame: f64, is_wanted: impl Fn(usize) -> bool) -> Pose {
     let at = frame - motion.first_frame as f64;
-    let mut pose = Pose::default();
-    let mut stretches = Vec::with_capacity(skeleton.bones.len());
+    let count = skeleton.bones.len();
+    let mut pose = Pose {
+        heads: Vec::with_capacity(count),
+        tails: Vec::with_capacity(count),
+        rotations: Vec::with_capacity(count),
+    };
+    let mut stretches = Vec::with_capacity(count);
     let still = BoneMotion::default();
     for (index, bone) in skeleton.bones.iter().enumerate() {
+        if !is_wanted(index) {
+            pose.heads.push(DVec3::ZERO);
+            pose.tails.push(DVec3::ZERO);
+            pose.rotations.push(DQuat::IDENTITY);
+            stretches.push(DVec3::ZERO);
+            continue;
+        }
         let samples = motion.bones.get(index).unwrap_or(&still);
         let (start, turned, stretched) = bone.parent.map_or((DVec3::ZERO, DQuat::IDENTITY, DVec3::ZERO), |parent| {
             (pose.heads[parent], pose.rotations[parent], stretches[parent])

@@ -8,6 +8,7 @@ use crate::formats::c3d::C3d;
 use crate::formats::csm::Csm;
 use crate::formats::kind::{recognise, Kind};
 use crate::formats::trc::Trc;
+use crate::infer::Inference;
 use crate::markers::Markers;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
@@ -148,11 +149,21 @@ impl Clip {
     /// Takes a motion with its skeleton, and says what was inferred.
     pub(crate) fn of_bvh(bvh: Bvh) -> Self {
         let (skeleton, motion, inference) = bvh.skeleton_motion_and_inference();
+        Self { motion, ..Self::of_bvh_without_motion(bvh, skeleton, &inference) }
+    }
+
+    /// Takes a skeleton alone with what was inferred from the motion too, some of which may be enough for that.
+    pub(crate) fn of_skimmed_bvh(bvh: Bvh) -> Self {
+        let (skeleton, inference) = bvh.skeleton_and_inference();
+        Self::of_bvh_without_motion(bvh, skeleton, &inference)
+    }
+
+    fn of_bvh_without_motion(bvh: Bvh, skeleton: Skeleton, inference: &Inference) -> Self {
         let mut notices = bvh.notices();
         notices.push(format!("Length unit: {}", inference.unit_m.reason));
         notices.push(format!("Up axis: {}", inference.up.reason));
         notices.push(format!("Facing: {}", inference.facing.reason));
-        Self { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Self::new(Format::Bvh) }
+        Self { bvh: Some(bvh), skeleton: Some(skeleton), notices, ..Self::new(Format::Bvh) }
     }
 
     /// Returns the file anew: the same values, names and order.
@@ -204,6 +215,11 @@ impl Clip {
         self.amc.as_ref().and_then(|amc| amc.header.rate_hz).or_else(of_bvh).or_else(of_markers)
     }
 
+    /// Whether the file's motion can be put on a skeleton: whether [`Clip::bind`] would find no misfit.
+    pub fn fits(&self, skeleton: &Skeleton) -> bool {
+        self.amc.as_ref().is_some_and(|amc| amc.fits(skeleton))
+    }
+
     /// Returns the motion of an AMC on a skeleton, with what the user should know.
     ///
     /// # Errors
@@ -251,7 +267,19 @@ pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Re
     }
 }
 
-fn c3d_clip(source: Vec<u8>, name: &Path) -> Result<Clip, ReadError> {
+/// Reads a file that is in memory already, as [`read_bytes`] does; but a C3D, which keeps its bytes, takes a share in these
+/// and no copy.
+///
+/// # Errors
+/// Where the file is wrong.
+pub fn read_shared(source: &Arc<Vec<u8>>, name: &Path) -> Result<Clip, ReadError> {
+    if Format::of(source, name) == Some(Format::C3d) {
+        return c3d_clip(Arc::clone(source), name);
+    }
+    read_bytes(source, name, None)
+}
+
+fn c3d_clip(source: impl Into<Arc<Vec<u8>>>, name: &Path) -> Result<Clip, ReadError> {
     let c3d = C3d::parse(source).map_err(|error| ReadError::Parse { path: PathBuf::from(name), error })?;
     let markers = c3d.markers();
     Ok(Clip { c3d: Some(c3d), ..Clip::of_markers(Format::C3d, markers) })

@@ -2,9 +2,9 @@
 //!
 //! A folder of motion capture is thousands of files of hundreds of thousands of numbers; what is asked of each first is how
 //! many frames there are, of which bones, how large and how it stands. A few of its frames say that. The others are only
-//! looked over: whether they have as many lines and words, and no byte where no number has it. Whatever is unusual about a
-//! file is left to its reader, so that both always say the same; but damage that keeps the shape of a number (a digit for
-//! another, two points in one word) only the reader sees.
+//! looked over: whether they have as many lines and words in all, and no byte where no number has it. Whatever is unusual
+//! about a file is left to its reader, so that both say the same; but damage that keeps the shape of a number (a digit for
+//! another, two points in one word), or takes a word from one line and gives it to the next, only the reader sees.
 
 use crate::formats::amc::Amc;
 use crate::formats::bvh::Bvh;
@@ -19,7 +19,8 @@ const HEAD_BYTES: usize = 4096;
 /// A file by some of its frames.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skim {
-    /// What the file holds, with some of its frames alone; everything else, notices too, is as in the whole clip.
+    /// What the file says, with some of its frames alone and no motion made of them; everything else, notices too, is as in
+    /// the whole clip.
     pub clip: Clip,
     /// How many frames the file has.
     pub frame_count: usize,
@@ -37,7 +38,7 @@ pub fn skim(source: &[u8], name: &Path) -> Option<Skim> {
         }
         Format::Bvh => {
             let (bvh, count) = Bvh::skim(source)?;
-            (Clip::of_bvh(bvh), count)
+            (Clip::of_skimmed_bvh(bvh), count)
         }
         Format::Csm => {
             let (csm, markers, count) = Csm::skim(source)?;

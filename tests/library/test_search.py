@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,8 +18,9 @@ Filter = Callable[[mt.LibraryClip], bool]
 
 
 def words(text: str | None) -> list[str]:
-    """Return the words of a text of ASCII letters, small."""
-    return re.findall(r"[a-z0-9]+", (text or "").lower())
+    """Return the words of a text of Latin letters, small and without accents."""
+    letters = unicodedata.normalize("NFKD", text or "").lower()
+    return re.findall(r"[a-z0-9]+", "".join(letter for letter in letters if not unicodedata.combining(letter)))
 
 
 def holds(text: str | None, phrase: str, *, is_begun: bool = True) -> bool:

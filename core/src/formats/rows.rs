@@ -1,7 +1,7 @@
 //! The frames of a table of markers, one per line, some of them picked out.
 
 use crate::markers::scale::frames_to_look_at;
-use crate::tally::Tally;
+use crate::table::Table;
 
 /// What a look over a table says.
 pub(super) struct Rows<'a> {
@@ -14,35 +14,18 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// Looks over the lines of a table: each begins with a number one above that of the line before, and is as `is_usual`
-    /// wants it. Blank lines are left out. `None` where anything is unusual.
-    pub(super) fn of(text: &'a [u8], mut is_usual: impl FnMut(&Tally) -> bool) -> Option<Self> {
-        let mut lines: Vec<&[u8]> = Vec::new();
-        let mut rest = text;
-        let mut first = None;
-        while !rest.is_empty() {
-            let length = memchr::memchr(b'\n', rest).unwrap_or(rest.len());
-            let (line, later) = rest.split_at(length);
-            rest = later.get(1..).unwrap_or_default();
-            let line = line.strip_suffix(b"\r").unwrap_or(line);
-            let tally = Tally::of(line);
-            // A carriage return within a line ends it too: that is for the reader.
-            if memchr::memchr(b'\r', line).is_some() {
-                return None;
-            }
-            if tally.words == 0 {
-                continue;
-            }
-            let number = leading_number(line)?;
-            let expected =
-                i64::try_from(lines.len()).ok().and_then(|count| first.get_or_insert(number).checked_add(count));
-            if expected != Some(number) || tally.points > tally.words || !is_usual(&tally) {
-                return None;
-            }
-            lines.push(line);
-        }
-        let looked_at = frames_to_look_at(lines.len()).filter_map(|frame| lines.get(frame).copied()).collect();
-        Some(Self { first: first?, count: lines.len(), looked_at })
+    /// Picks the lines of a table that are to be looked at, and checks that each of them, and the last, begins with a
+    /// number that is as far above that of the first as the line is below it. `None` where one does not.
+    pub(super) fn of(table: &Table<'a>) -> Option<Self> {
+        let count = table.line_count();
+        let first = leading_number(table.line(0)?)?;
+        let numbered = |frame: usize| {
+            let line = table.line(frame)?;
+            (leading_number(line)? == first.checked_add_unsigned(frame as u64)?).then_some(line)
+        };
+        numbered(count - 1)?;
+        let looked_at = frames_to_look_at(count).map(numbered).collect::<Option<_>>()?;
+        Some(Self { first, count, looked_at })
     }
 
     /// Returns a file of the same head with only those frames that are to be looked at.

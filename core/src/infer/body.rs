@@ -83,6 +83,19 @@ impl Body {
         })
     }
 
+    /// Returns for each joint whether it is one of these parts, or leads to one.
+    pub(super) fn with_ancestors(&self, skeleton: &Skeleton) -> Vec<bool> {
+        let mut are_within = vec![false; skeleton.bones.len()];
+        let pairs = [Some(self.thighs), Some(self.feet), self.toes];
+        let parts = pairs.into_iter().flatten().flatten().chain([self.pelvis]).chain(self.head);
+        for joint in parts.flat_map(|part| ancestors(skeleton, part)) {
+            if let Some(is_within) = are_within.get_mut(joint) {
+                *is_within = true;
+            }
+        }
+        are_within
+    }
+
     /// Returns whether this can be a person: two legs and a head in proportion, hands, and no tail.
     pub(super) fn is_person(&self) -> bool {
         let is_complete = self.head.is_some() && self.hands.is_some() && !self.has_tail;

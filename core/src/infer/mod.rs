@@ -77,14 +77,41 @@ pub fn tallness(skeleton: &Skeleton) -> f64 {
 /// changes; directions are taken from where head, pelvis and feet are in the motion and in the rest pose. A figure
 /// that is no person (or whose names say nothing) has only guesses.
 pub fn infer(skeleton: &Skeleton, motion: Option<&Motion>) -> Inference {
-    let body = Body::find(skeleton);
-    let stances = stance::Stances::new(skeleton, motion, body.as_ref());
-    let up = stances.up();
-    Inference {
-        unit_m: unit::unit(body.as_ref(), stances.rise(up.value)),
-        facing: stances.facing(up.value),
-        rate_hz: rate(motion),
-        up,
+    Figure::of(skeleton).infer(motion)
+}
+
+/// A skeleton of which is known what its joints are.
+pub(crate) struct Figure<'a> {
+    skeleton: &'a Skeleton,
+    body: Option<Body>,
+    /// For each joint, whether its motion says anything.
+    matters: Vec<bool>,
+}
+
+impl<'a> Figure<'a> {
+    /// Recognises the joints.
+    pub(crate) fn of(skeleton: &'a Skeleton) -> Self {
+        let body = Body::find(skeleton);
+        let matters = body.as_ref().map_or_else(Vec::new, |body| body.with_ancestors(skeleton));
+        Self { skeleton, body, matters }
+    }
+
+    /// Whether the motion of a joint is looked at: the others may be left out of it.
+    pub(crate) fn matters(&self, joint: usize) -> bool {
+        self.matters.get(joint).is_some_and(|matters| *matters)
+    }
+
+    /// Works out what [`infer`] does.
+    pub(crate) fn infer(&self, motion: Option<&Motion>) -> Inference {
+        let body = self.body.as_ref();
+        let stances = stance::Stances::new(self.skeleton, motion, body, |joint| self.matters(joint));
+        let up = stances.up();
+        Inference {
+            unit_m: unit::unit(body, stances.rise(up.value)),
+            facing: stances.facing(up.value),
+            rate_hz: rate(motion),
+            up,
+        }
     }
 }
 

@@ -52,19 +52,9 @@ const LONGEST: usize = 80;
 
 /// Returns what a joint of that name is; `None` for everything that is not asked for here.
 pub(super) fn classify(name: &str) -> Option<(Part, Side)> {
-    let mut words = words(name.rsplit(':').next().unwrap_or(name));
-    let mut side = Side::Middle;
-    words.retain(|word| {
-        let found = match word.as_str() {
-            "left" | "l" => Side::Left,
-            "right" | "r" => Side::Right,
-            _ => return true,
-        };
-        side = found;
-        false
-    });
-    let part = (0..words.len()).find_map(|start| part_of(&words.get(start..)?.concat()));
-    let found = part.map(|part| (part, side)).or_else(|| {
+    let mut words = Words::of(name.rsplit(':').next().unwrap_or(name));
+    let side = words.take_sides();
+    let found = words.tails().find_map(part_of).map(|part| (part, side)).or_else(|| {
         // `lfemur`: the side is stuck to the word.
         let word = words.last().filter(|_| side == Side::Middle)?;
         let rest = word.strip_prefix('l').map(|rest| (rest, Side::Left));
@@ -78,24 +68,66 @@ fn part_of(word: &str) -> Option<Part> {
     WORDS.iter().find(|(known, _)| *known == word).map(|(_, part)| *part)
 }
 
-/// Splits a name into words in lower case, without digits: at signs, and where a capital begins a new one.
-fn words(name: &str) -> Vec<String> {
-    let characters: Vec<char> = name.chars().take(LONGEST).collect();
-    let mut words = vec![String::new()];
-    for (at, &character) in characters.iter().enumerate() {
-        let before = at.checked_sub(1).and_then(|before| characters.get(before));
-        let after = characters.get(at + 1);
-        let begins = character.is_uppercase()
-            && (before.is_some_and(|c| c.is_lowercase()) || after.is_some_and(|c| c.is_lowercase()));
-        if begins || !character.is_alphabetic() {
-            words.push(String::new());
+/// The words of a name in lower case, without digits: it is divided at signs, and where a capital begins a new one.
+struct Words {
+    /// One after the other.
+    letters: String,
+    /// Where each begins.
+    starts: Vec<usize>,
+}
+
+impl Words {
+    fn of(name: &str) -> Self {
+        let mut words = Self { letters: String::with_capacity(name.len()), starts: Vec::new() };
+        let mut characters = name.chars().take(LONGEST).peekable();
+        let (mut before, mut is_new) = (None, true);
+        while let Some(character) = characters.next() {
+            let is_low = |c: &char| c.is_lowercase();
+            is_new |= character.is_uppercase()
+                && (before.as_ref().is_some_and(is_low) || characters.peek().is_some_and(is_low));
+            if character.is_alphabetic() {
+                if is_new {
+                    words.starts.push(words.letters.len());
+                }
+                words.letters.extend(character.to_lowercase());
+            }
+            is_new = !character.is_alphabetic();
+            before = Some(character);
         }
-        if let Some(word) = words.last_mut().filter(|_| character.is_alphabetic()) {
-            word.extend(character.to_lowercase());
-        }
+        words
     }
-    words.retain(|word| !word.is_empty());
-    words
+
+    /// Takes out the words for sides; returns the last of them.
+    fn take_sides(&mut self) -> Side {
+        let mut side = Side::Middle;
+        for index in (0..self.starts.len()).rev() {
+            let Some(&start) = self.starts.get(index) else { continue };
+            let end = self.starts.get(index + 1).copied().unwrap_or(self.letters.len());
+            let found = match self.letters.get(start..end) {
+                Some("left" | "l") => Side::Left,
+                Some("right" | "r") => Side::Right,
+                _ => continue,
+            };
+            if side == Side::Middle {
+                side = found;
+            }
+            self.letters.replace_range(start..end, "");
+            self.starts.remove(index);
+            for later in self.starts.iter_mut().skip(index) {
+                *later -= end - start;
+            }
+        }
+        side
+    }
+
+    /// Returns all words as one, then without the first, and so on.
+    fn tails(&self) -> impl Iterator<Item = &str> {
+        self.starts.iter().filter_map(|start| self.letters.get(*start..))
+    }
+
+    fn last(&self) -> Option<&str> {
+        self.letters.get(*self.starts.last()?..)
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::Answer;
 use crate::motion::Motion;
-use crate::pose::pose;
+use crate::pose::pose_of;
 use crate::skeleton::Skeleton;
 use crate::upright::axis_name;
 use glam::DVec3;
@@ -65,8 +65,13 @@ pub(super) struct Stances<'a> {
 }
 
 impl<'a> Stances<'a> {
-    /// Looks at the rest pose and at frames spread over the motion.
-    pub(super) fn new(skeleton: &Skeleton, motion: Option<&Motion>, body: Option<&'a Body>) -> Self {
+    /// Looks at the rest pose and at frames spread over the motion, and there at those joints that matter to the body.
+    pub(super) fn new(
+        skeleton: &Skeleton,
+        motion: Option<&Motion>,
+        body: Option<&'a Body>,
+        matters: impl Fn(usize) -> bool + Copy,
+    ) -> Self {
         let Some(found) = body else { return Self { body, rest: None, frames: Vec::new() } };
         let heads = skeleton.rest_heads();
         let tails: Vec<_> = heads.iter().zip(&skeleton.bones).map(|(head, bone)| *head + bone.tail).collect();
@@ -74,7 +79,7 @@ impl<'a> Stances<'a> {
         let frame_count = motion.map_or(0, |motion| motion.frame_count);
         let frames = motion.into_iter().flat_map(|motion| {
             frames_to_look_at(frame_count, skeleton.bones.len()).filter_map(move |frame| {
-                let pose = pose(skeleton, motion, motion.first_frame as f64 + frame as f64);
+                let pose = pose_of(skeleton, motion, motion.first_frame as f64 + frame as f64, matters);
                 Stance::new(found, &pose.heads, &pose.tails)
             })
         });

@@ -20,6 +20,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use rusqlite::config::DbConfig;
 use rusqlite::{Connection, OptionalExtension, Transaction, TransactionBehavior};
 
 use crate::error::LibraryError;
@@ -81,12 +82,20 @@ impl Library {
         &self,
         task: impl FnOnce(&Transaction<'_>) -> Result<T, LibraryError>,
     ) -> Result<T, LibraryError> {
+        self.with_connection(|connection| as_a_whole(connection, task))
+    }
+
+    /// Does much with one connection while the triggers that keep the full-text index sleep: whoever changes clips keeps it
+    /// then. To put triggers to sleep makes the connection forget what it has prepared, which is too dear for every step.
+    pub(crate) fn without_triggers<T>(
+        &self,
+        task: impl FnOnce(&mut Connection) -> Result<T, LibraryError>,
+    ) -> Result<T, LibraryError> {
         self.with_connection(|connection| {
-            // Taken at once: a reader that becomes a writer later could be refused without waiting.
-            let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
-            let result = task(&transaction)?;
-            transaction.commit()?;
-            Ok(result)
+            connection.set_db_config(DbConfig::SQLITE_DBCONFIG_ENABLE_TRIGGER, false)?;
+            let done = task(connection);
+            connection.set_db_config(DbConfig::SQLITE_DBCONFIG_ENABLE_TRIGGER, true)?;
+            done
         })
     }
 
@@ -104,6 +113,18 @@ impl Library {
         }
         result
     }
+}
+
+/// Changes something as a whole, or not at all where `task` fails.
+pub(crate) fn as_a_whole<T>(
+    connection: &mut Connection,
+    task: impl FnOnce(&Transaction<'_>) -> Result<T, LibraryError>,
+) -> Result<T, LibraryError> {
+    // Taken at once: a reader that becomes a writer later could be refused without waiting.
+    let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
+    let result = task(&transaction)?;
+    transaction.commit()?;
+    Ok(result)
 }
 
 /// Returns the seconds since 1970.

@@ -6,6 +6,7 @@ mod skeleton;
 pub use skeleton::{fingerprint, SkeletonFacts};
 
 use std::path::Path;
+use std::sync::Arc;
 
 use motion_theater_core::read::{read_bytes, Clip, Format};
 use motion_theater_core::skim::skim as skim_file;
@@ -57,7 +58,19 @@ pub fn skim(source: &[u8], path: &Path) -> Option<(Facts, Clip)> {
 /// # Errors
 /// Where the file is wrong: the place and the reason in words.
 pub fn read(source: &[u8], path: &Path) -> Result<(Facts, Clip), String> {
-    let clip = read_bytes(source, path, None).map_err(|error| match error {
+    of_whole(read_bytes(source, path, None), path)
+}
+
+/// Reads a file that is in memory; the clip may take a share in it.
+///
+/// # Errors
+/// Where the file is wrong: the place and the reason in words.
+pub(crate) fn read_shared(source: &Arc<Vec<u8>>, path: &Path) -> Result<(Facts, Clip), String> {
+    of_whole(motion_theater_core::read::read_shared(source, path), path)
+}
+
+fn of_whole(read: Result<Clip, ReadError>, path: &Path) -> Result<(Facts, Clip), String> {
+    let clip = read.map_err(|error| match error {
         ReadError::Io { source, .. } => crate::error::words(&source),
         ReadError::Parse { error, .. } => error.to_string(),
         ReadError::Misfit { error, .. } => error.to_string(),

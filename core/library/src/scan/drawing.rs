@@ -136,8 +136,7 @@ fn draw(library: &Library, clip: &Undrawn, previews: &dyn Previews, state: &Stat
 
 /// Puts a clip on the skeleton that the library knows for it.
 fn on_its_skeleton(path: &Path, clip: Clip, skeleton: Option<&Path>) -> Loaded {
-    let named =
-        skeleton.and_then(|path| SkeletonFile::read(path).ok()).filter(|file| clip.bind(&file.skeleton).is_ok());
+    let named = skeleton.and_then(|path| SkeletonFile::read(path).ok()).filter(|file| clip.fits(&file.skeleton));
     match named.map(|file| Loaded::with(path, clip.clone(), &file)) {
         Some(Ok(loaded)) => loaded,
         Some(Err(_)) | None => Loaded::among(path, clip, Known::default()),

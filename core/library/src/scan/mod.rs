@@ -20,27 +20,28 @@ pub use progress::{Phase, Progress};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{sync_channel, Receiver};
+use std::sync::mpsc::{sync_channel, Receiver, TryRecvError};
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use plan::Plan;
 use progress::{count, State};
 use reading::{Reader, Reading};
 use writer::Root;
 
-use crate::catalogue::{now, paths, Library};
+use crate::catalogue::{as_a_whole, now, paths, Library};
 use crate::error::LibraryError;
 use crate::index_file;
 
-/// So many files are written in one transaction at most, ...
-const BATCH_FILES: usize = 256;
+/// About so many files are written in one transaction at most, ...
+const BATCH_FILES: usize = 512;
 
-/// ... and so long the writer waits for more.
-const BATCH_TIME: Duration = Duration::from_millis(10);
+/// ... and so long the writer waits for more: at first hardly, so that something is to be seen soon, then longer, for every
+/// transaction writes much of the indexes anew.
+const BATCH_TIMES: std::ops::RangeInclusive<Duration> = Duration::from_millis(10)..=Duration::from_millis(160);
 
 /// So many files that were read may wait for the writer.
-const MOST_WAITING: usize = 512;
+const MOST_WAITING: usize = 1024;
 
 /// What a scan is to do.
 #[derive(Clone, Default)]
@@ -154,7 +155,7 @@ fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Resul
     let next = AtomicUsize::new(0);
     let (sender, receiver) = sync_channel(MOST_WAITING);
     let work = |sender: std::sync::mpsc::SyncSender<Reading>| {
-        let mut buffer = Vec::new();
+        let mut buffer = Arc::default();
         while !state.is_cancelled() {
             let Some(found) = plan.to_read.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
             state.take_up(&found.path);
@@ -181,18 +182,39 @@ fn read_all(library: &Library, plan: &Plan, jobs: usize, state: &State) -> Resul
 
 /// Writes files as they come in, until there are no more.
 fn write_all(library: &Library, receiver: &Receiver<Reading>, plan: &Plan, state: &State) -> Result<(), LibraryError> {
-    while let Ok(first) = receiver.recv() {
+    library.without_triggers(|connection| {
+        let mut longest = *BATCH_TIMES.start();
+        while let Ok(first) = receiver.recv() {
+            let batch = batch(first, receiver, longest);
+            longest = (2 * longest).min(*BATCH_TIMES.end());
+            as_a_whole(connection, |db| {
+                // Folders may come and go while a scan runs.
+                let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;
+                let root = |row: &rusqlite::Row<'_>| {
+                    Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) })
+                };
+                let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
+                writer::write_all(db, &roots, plan, &batch, state)
+            })?;
+        }
+        Ok(())
+    })
+}
+
+/// Collects files until they are enough, there are no more, or so much time has passed.
+fn batch(first: Reading, receiver: &Receiver<Reading>, longest: Duration) -> Vec<Reading> {
+    let begun = Instant::now();
+    let mut batch = vec![first];
+    while batch.len() < BATCH_FILES && begun.elapsed() < longest {
         // Meanwhile the workers need not wake anyone for every file.
-        std::thread::sleep(BATCH_TIME);
-        let batch: Vec<Reading> = std::iter::once(first).chain(receiver.try_iter().take(BATCH_FILES)).collect();
-        library.write(|db| {
-            // Folders may come and go while a scan runs.
-            let mut roots = db.prepare_cached("SELECT id, path FROM folder")?;
-            let root =
-                |row: &rusqlite::Row<'_>| Ok(Root { id: row.get(0)?, path: paths::to_path(&row.get::<_, String>(1)?) });
-            let roots = roots.query_map((), root)?.collect::<Result<Vec<_>, _>>()?;
-            writer::write_all(db, &roots, plan, &batch, state)
-        })?;
+        std::thread::sleep(*BATCH_TIMES.start());
+        loop {
+            match receiver.try_recv() {
+                Ok(reading) => batch.push(reading),
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => return batch,
+            }
+        }
     }
-    Ok(())
+    batch
 }

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use motion_theater_core::read::Format;
 
@@ -46,8 +46,9 @@ impl<'a> Reader<'a> {
         Self { skeletons, large: Mutex::new(()) }
     }
 
-    /// Reads a file; `buffer` is the worker's own, to be used again.
-    pub(super) fn read(&self, found: Found, buffer: &mut Vec<u8>) -> Reading {
+    /// Reads a file; `shared` is the worker's own, to be used again.
+    pub(super) fn read(&self, found: Found, shared: &mut Arc<Vec<u8>>) -> Reading {
+        let buffer = Arc::make_mut(shared);
         let _one_at_a_time =
             (found.size > USUAL_BYTES).then(|| self.large.lock().unwrap_or_else(PoisonError::into_inner));
         let by_name = || Format::from_extension(found.path.extension()?.to_str()?);
@@ -65,17 +66,20 @@ impl<'a> Reader<'a> {
             return Reading { found, hash: None, outcome };
         }
         let hash = Some(blake3::hash(buffer).into());
-        let outcome = self.facts(buffer, &found.path);
+        let outcome = self.facts(shared, &found.path);
         if found.size > USUAL_BYTES {
-            *buffer = Vec::new();
+            *shared = Arc::default();
         }
         Reading { found, hash, outcome }
     }
 
-    fn facts(&self, source: &[u8], path: &Path) -> Result<(Facts, Option<Paired>), Failure> {
+    fn facts(&self, source: &Arc<Vec<u8>>, path: &Path) -> Result<(Facts, Option<Paired>), Failure> {
         let failed = |message| Failure { format: Format::of(source, path), message };
         let skimmed = facts::skim(source, path);
-        let (mut facts, clip) = skimmed.map_or_else(|| facts::read(source, path), Ok).map_err(failed)?;
+        let (mut facts, mut clip) = skimmed.map_or_else(|| facts::read_shared(source, path), Ok).map_err(failed)?;
+        if facts.format == Format::Asf {
+            self.skeletons.keep(path, clip.skeleton.take().map(Arc::new));
+        }
         let paired = (facts.format == Format::Amc).then(|| self.skeletons.pair(path, &clip));
         if let Some(paired) = &paired {
             if let Some(skeleton) = &paired.skeleton {

@@ -65,7 +65,7 @@ impl Skeletons {
         if let Some(paired) = first.or_else(|| self.first_that_fits(candidates(path, hints, anywhere), clip)) {
             return paired;
         }
-        let is_default = clip.bind(default_skeleton()).is_ok();
+        let is_default = clip.fits(default_skeleton());
         let reason = match is_default {
             true => DEFAULT_SKELETON_NOTICE,
             false if is_any => "No skeleton beside the file fits, and the default does not either",
@@ -77,7 +77,7 @@ impl Skeletons {
 
     fn first_that_fits(&self, candidates: Vec<Candidate>, clip: &Clip) -> Option<Paired> {
         candidates.into_iter().find_map(|candidate| {
-            let skeleton = self.read(&candidate.path).filter(|skeleton| clip.bind(skeleton).is_ok())?;
+            let skeleton = self.read(&candidate.path).filter(|skeleton| clip.fits(skeleton))?;
             let reason = candidate.reason.to_string();
             Some(Paired { skeleton: Some(skeleton), path: Some(candidate.path), reason, is_default: false })
         })
@@ -90,11 +90,16 @@ impl Skeletons {
             return known.clone();
         }
         let skeleton = read_path(path, None).ok().and_then(|clip| clip.skeleton).map(Arc::new);
-        let mut kept = kept();
+        self.keep(path, skeleton.clone());
+        skeleton
+    }
+
+    /// Keeps the skeleton of a file that was read anyway.
+    pub(super) fn keep(&self, path: &Path, skeleton: Option<Arc<Skeleton>>) {
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if kept.len() >= MOST_KEPT {
             kept.clear();
         }
-        kept.insert(path.to_owned(), skeleton.clone());
-        skeleton
+        kept.insert(path.to_owned(), skeleton);
     }
 }

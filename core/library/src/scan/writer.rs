@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-use rusqlite::config::DbConfig;
 use rusqlite::{params, params_from_iter, Connection, OptionalExtension, ToSql, Transaction};
 
 use super::plan::{is_gone, Plan};
@@ -45,7 +44,8 @@ enum Place {
     New,
 }
 
-/// Writes files: the new ones first, together, for their words are indexed much faster that way.
+/// Writes files: the new ones first, together, for their words are indexed much faster that way. The triggers that do that
+/// for others must sleep.
 pub(super) fn write_all(
     db: &Transaction<'_>,
     roots: &[Root],
@@ -55,32 +55,28 @@ pub(super) fn write_all(
 ) -> Result<(), LibraryError> {
     let mut known = Vec::new();
     let last: i64 = db.query_row("SELECT coalesce(max(id), 0) FROM clip", (), |row| row.get(0))?;
-    without_triggers(db, || {
-        for reading in batch {
-            // Where there is none, its folder was taken out of the library meanwhile.
-            let Some(root) = innermost(roots, &reading.found.path) else { continue };
-            let path = paths::to_text(&reading.found.path);
-            if reading.outcome.is_err() {
-                count(&state.broken);
-            }
-            sidecars::forget(db, &reading.found.path)?;
-            match place(db, &path, reading)? {
-                Place::New => {
-                    count(&state.new);
-                    put(db, INSERT, reading, root, &path, None)?;
-                    let says = says(reading).iter().map(|(field, value)| (*field, Some(value.clone())));
-                    tell(db, db.last_insert_rowid(), Source::File, &says.collect::<Vec<_>>())?;
-                }
-                place => known.push((place, reading, root, path)),
-            }
+    let has_sidecars: bool = db.query_row("SELECT EXISTS (SELECT 1 FROM sidecar)", (), |row| row.get(0))?;
+    for reading in batch {
+        // Where there is none, its folder was taken out of the library meanwhile.
+        let Some(root) = innermost(roots, &reading.found.path) else { continue };
+        let path = paths::to_text(&reading.found.path);
+        if reading.outcome.is_err() {
+            count(&state.broken);
         }
-        Ok(())
-    })?;
-    db.prepare_cached(
-        "INSERT INTO clip_text (rowid, name, folder, subject, description, session_group, tags)
-         SELECT * FROM clip_words WHERE id > ?",
-    )?
-    .execute([last])?;
+        if has_sidecars {
+            sidecars::forget(db, &reading.found.path)?;
+        }
+        match place(db, &path, reading)? {
+            Place::New => {
+                count(&state.new);
+                put(db, INSERT, reading, root, &path, None)?;
+                let says = says(reading).iter().map(|(field, value)| (*field, Some(value.clone())));
+                tell(db, db.last_insert_rowid(), Source::File, &says.collect::<Vec<_>>())?;
+            }
+            place => known.push((place, reading, root, path)),
+        }
+    }
+    index_words(db, last + 1, i64::MAX)?;
     for (place, reading, root, path) in known {
         let id = match place {
             Place::New => continue,
@@ -95,26 +91,32 @@ pub(super) fn write_all(
                 id
             }
         };
+        db.prepare_cached("DELETE FROM clip_text WHERE rowid = ?")?.execute([id])?;
         put(db, UPDATE, reading, root, &path, Some(id))?;
         say(db, id, says(reading))?;
+        index_words(db, id, id)?;
     }
     Ok(())
 }
 
-/// Does something while the triggers that keep the full-text index sleep.
-fn without_triggers(db: &Connection, task: impl FnOnce() -> Result<(), LibraryError>) -> Result<(), LibraryError> {
-    db.set_db_config(DbConfig::SQLITE_DBCONFIG_ENABLE_TRIGGER, false)?;
-    let done = task();
-    db.set_db_config(DbConfig::SQLITE_DBCONFIG_ENABLE_TRIGGER, true)?;
-    done
+/// Puts the words of clips into the full-text index, from one number to another.
+fn index_words(db: &Connection, first: i64, last: i64) -> Result<(), LibraryError> {
+    let mut insert = db.prepare_cached(
+        "INSERT INTO clip_text (rowid, name, folder, subject, description, session_group, tags)
+         SELECT * FROM clip_words WHERE id BETWEEN ? AND ?",
+    )?;
+    insert.execute([first, last])?;
+    Ok(())
 }
 
 fn says(reading: &Reading) -> &[(Field, String)] {
     reading.outcome.as_ref().map_or(&[][..], |(facts, _)| &facts.says)
 }
 
-/// Copies of one file may be many: so many of them are looked at, those that were missing before first.
-const LOOKS: i64 = 16;
+/// Copies of one file may be many: some of them are looked at, those that were missing before first.
+///
+/// The limit is no parameter: with one, `SQLite` plans the statement anew whenever it is used.
+const SAME_CONTENT: &str = "SELECT id, path FROM clip WHERE content_hash = ? ORDER BY is_missing DESC, id LIMIT 16";
 
 fn place(db: &Connection, path: &str, reading: &Reading) -> Result<Place, LibraryError> {
     let mut find = db.prepare_cached("SELECT id, content_hash IS NOT ?2 FROM clip WHERE path = ?1")?;
@@ -123,9 +125,8 @@ fn place(db: &Connection, path: &str, reading: &Reading) -> Result<Place, Librar
     if let Some(same) = same {
         return Ok(same);
     }
-    let mut find =
-        db.prepare_cached("SELECT id, path FROM clip WHERE content_hash = ? ORDER BY is_missing DESC, id LIMIT ?")?;
-    let mut rows = find.query(params![reading.hash, LOOKS])?;
+    let mut find = db.prepare_cached(SAME_CONTENT)?;
+    let mut rows = find.query([reading.hash])?;
     while let Some(row) = rows.next()? {
         if is_gone(&paths::to_path(&row.get::<_, String>(1)?)) {
             return Ok(Place::Moved(row.get(0)?));

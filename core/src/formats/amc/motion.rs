@@ -13,6 +13,11 @@ use std::collections::HashMap;
 const THREE_ROTATIONS: [Dof; 3] = [Dof::Rotate(0), Dof::Rotate(1), Dof::Rotate(2)];
 
 impl Amc {
+    /// Whether [`Amc::motion`] would find no misfit.
+    pub(crate) fn fits(&self, skeleton: &Skeleton) -> bool {
+        self.match_bones(skeleton).is_ok()
+    }
+
     /// Returns the motion of a skeleton's bones and, a sentence each, what the user should know.
     ///
     /// A bone turns by `L = C * M * C^-1` in its parent's frame: `C` the bone's axes, `M` its rotations, the first listed

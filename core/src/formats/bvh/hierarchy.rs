@@ -98,7 +98,7 @@ fn read_channels(tokens: &mut Tokens<'_>) -> Result<Vec<Channel>, ParseError> {
     let what = "the number of channels";
     let word = tokens.expect(what)?;
     let count: u64 = word.text().parse().map_err(|_| word.unexpected(what))?;
-    let mut channels = Vec::new();
+    let mut channels = Vec::with_capacity(count.min(CHANNEL_WORDS.len() as u64) as usize);
     for _ in 0..count {
         let word = tokens.expect("a channel such as `Xrotation`")?;
         channels.push(channel(&word).ok_or_else(|| word.unexpected("a channel such as `Xrotation`"))?);

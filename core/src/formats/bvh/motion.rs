@@ -1,9 +1,9 @@
 //! [`Bvh`] -> [`Motion`].
 
-use super::name::unique_names;
+use super::name::{are_unique, unique_names};
 use super::skeleton::order;
 use super::{Bvh, BvhMotion, Channel, Joint};
-use crate::infer::{infer, Inference};
+use crate::infer::{infer, Figure, Inference};
 use crate::motion::{BoneMotion, Motion};
 use crate::rate::rate_of_frame_time;
 use crate::skeleton::Skeleton;
@@ -26,15 +26,26 @@ impl Bvh {
     /// stand in for the components of the offset that they name. Where one comes twice, the last counts. The joint's
     /// angles are kept where its rotations turn about different axes; those that it does not have are zero.
     pub fn motion(&self) -> Option<Motion> {
+        self.motion_of(|_| true)
+    }
+
+    /// Returns the motion of some joints; the others have no samples.
+    fn motion_of(&self, is_wanted: impl Fn(usize) -> bool + Sync) -> Option<Motion> {
         let motion = self.motion.as_ref()?;
         let starts = self.joints.iter().scan(0, |next, joint| {
             let start = *next;
             *next += joint.channels.len();
             Some(start)
         });
-        let columns: Vec<(&Joint, usize)> = self.joints.iter().zip(starts).collect();
+        let columns: Vec<(usize, (&Joint, usize))> = self.joints.iter().zip(starts).enumerate().collect();
         let width = self.width();
-        let of_joint = |(joint, start): (&Joint, usize)| joint.motion(motion, width, start);
+        let of_joint = |(index, (joint, start)): (usize, (&Joint, usize))| {
+            if is_wanted(index) {
+                joint.motion(motion, width, start)
+            } else {
+                BoneMotion::default()
+            }
+        };
         // Few values are converted before another thread has woken up.
         let bones = if motion.values.len() < FEW_VALUES {
             columns.into_iter().map(of_joint).collect()
@@ -58,11 +69,22 @@ impl Bvh {
         (skeleton, motion, inference)
     }
 
+    /// Returns the rest pose, and what was inferred from it and from the motion, of which no more is converted than that
+    /// takes.
+    pub(crate) fn skeleton_and_inference(&self) -> (Skeleton, Inference) {
+        let mut skeleton = self.skeleton_as_written();
+        let figure = Figure::of(&skeleton);
+        let inference = figure.infer(self.motion_of(|joint| figure.matters(joint)).as_ref());
+        inference.apply_to(&mut skeleton);
+        (skeleton, inference)
+    }
+
     /// Returns what is odd in the file and what was done about it, a sentence each.
     pub fn notices(&self) -> Vec<String> {
         let mut notices = Vec::new();
-        let (_, renamed) = unique_names(self.joints.iter().map(|joint| joint.name.as_str()));
-        if !renamed.is_empty() {
+        let names = self.joints.iter().map(|joint| joint.name.as_str());
+        if !are_unique(names.clone()) {
+            let (_, renamed) = unique_names(names);
             let more = renamed.len().saturating_sub(MOST_NAMES);
             let and_more = if more > 0 { format!(" and {more} more") } else { String::new() };
             let names = renamed.get(..MOST_NAMES).unwrap_or(&renamed).join(", ");

@@ -40,8 +40,17 @@ fn is_lone_brace(text: &[u8], at: usize, start: usize) -> bool {
     text.get(at) == Some(&b'{') && is_free(before) && (at == start || is_free(text.get(at + 1)))
 }
 
+/// Whether each has a name of its own.
+pub(super) fn are_unique<'a>(mut names: impl Iterator<Item = &'a str>) -> bool {
+    let mut seen = HashSet::with_capacity(names.size_hint().0);
+    names.all(|name| !name.is_empty() && seen.insert(name))
+}
+
 /// Returns a name of its own for each, and which were changed. `.001` and so on sets the later ones apart.
 pub(super) fn unique_names<'a>(names: impl Iterator<Item = &'a str> + Clone) -> (Vec<String>, Vec<String>) {
+    if are_unique(names.clone()) {
+        return (names.map(str::to_owned).collect(), Vec::new());
+    }
     let taken: HashSet<&str> = names.clone().collect();
     let mut seen: HashSet<&str> = HashSet::with_capacity(taken.len());
     let mut counts: HashMap<&str, usize> = HashMap::new();

@@ -34,12 +34,11 @@ impl<'a> Tokens<'a> {
 
     /// Takes one keyword.
     pub(super) fn keyword(&mut self, keyword: &str) -> Result<Word<'a>, ParseError> {
-        let expected = format_args!("`{keyword}`").to_string();
-        let word = self.expect(&expected)?;
+        let Some(word) = self.next() else { return Err(self.ended(format_args!("`{keyword}`"))) };
         if word.is(keyword) {
             Ok(word)
         } else {
-            Err(word.unexpected(expected))
+            Err(word.unexpected(format_args!("`{keyword}`")))
         }
     }
 

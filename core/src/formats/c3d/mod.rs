@@ -49,12 +49,13 @@ pub struct C3d {
 }
 
 impl C3d {
-    /// Reads what a file says; its bytes are kept.
+    /// Reads what a file says; its bytes are kept, or a share in them.
     ///
     /// # Errors
     /// Where the bytes are something else, or end or are damaged before the data begin. Data that end early are read as
     /// far as they go, and a notice says so.
-    pub fn parse(bytes: Vec<u8>) -> Result<Self, ParseError> {
+    pub fn parse(bytes: impl Into<Arc<Vec<u8>>>) -> Result<Self, ParseError> {
+        let bytes = bytes.into();
         let start = parameter_start(&bytes)?;
         let block = bytes.first_chunk::<BLOCK_BYTES>();
         let block = block.ok_or_else(|| error_at(bytes.len(), "a header of 512 bytes", "the end of the file"))?;
@@ -64,7 +65,7 @@ impl C3d {
         let limit = if data_start > start { data_start } else { bytes.len() };
         let index = Index::parse(&bytes, start, limit)?;
         let (layout, notices) = layout::decide(&bytes, &header, &index);
-        Ok(Self { frames: Frames { bytes: Arc::new(bytes), layout, processor }, header, index, notices })
+        Ok(Self { frames: Frames { bytes, layout, processor }, header, index, notices })
     }
 
     /// Returns the header.

@@ -5,6 +5,7 @@ use super::Csm;
 use crate::formats::fields::words;
 use crate::formats::rows::Rows;
 use crate::markers::Markers;
+use crate::table::Table;
 use crate::tally::Tally;
 use crate::text::Lines;
 
@@ -19,13 +20,18 @@ impl Csm {
     pub(crate) fn skim(source: &[u8]) -> Option<(Self, (Markers, Vec<String>), usize)> {
         let (head, table) = source.split_at_checked(table_start(source)?)?;
         let sections = Self::parse(head).ok()?;
+        let table = Table::of(table)?;
+        // A marker that drops out has one word in place of three.
         let of_dropout = Tally::of(DROPOUT.as_bytes());
-        let rows = Rows::of(table, |tally| {
-            let dropouts = tally.others / of_dropout.others;
-            let is_dropouts = tally.others == dropouts * of_dropout.others
-                && tally.sum == of_dropout.sum.wrapping_mul(dropouts as u8);
-            is_dropouts && tally.words + 2 * dropouts == 1 + 3 * sections.order.len()
-        })?;
+        let dropouts = |tally: &Tally| tally.others / of_dropout.others;
+        let (total, dropout_count) = (table.total, dropouts(&table.total));
+        let is_usual = total.others == dropout_count * of_dropout.others
+            && total.sum == of_dropout.sum.wrapping_mul(dropout_count as u8)
+            && table.is_of_rows(1, 1 + 3 * sections.order.len(), |tally| tally.words + 2 * dropouts(tally));
+        if !is_usual {
+            return None;
+        }
+        let rows = Rows::of(&table)?;
         let mut csm = Self::parse(&rows.reduced(head)).ok()?;
         let (markers, _) = csm.markers();
         csm.frame_numbers = rows.numbers(&csm.frame_numbers)?;

@@ -5,6 +5,7 @@ use super::Trc;
 use crate::formats::rows::Rows;
 use crate::markers::Markers;
 use crate::number;
+use crate::table::Table;
 use crate::text::Lines;
 
 /// The lines before the axes: the kind of file, keys, values, names.
@@ -23,10 +24,12 @@ impl Trc {
         }
         skip_axes(source, &mut lines);
         let (head, table) = source.split_at_checked(lines.at())?;
-        let mut width = None;
-        let rows = Rows::of(table, |tally| tally.others == 0 && *width.get_or_insert(tally.words) == tally.words)?;
+        let table = Table::of(table)?;
+        let rows = Rows::of(&table)?;
         let mut trc = Self::parse(&rows.reduced(head)).ok()?;
-        let is_complete = width == Some(2 + 3 * trc.names.len()) && trc.values.iter().all(|value| !value.is_nan());
+        let is_complete = table.total.others == 0
+            && table.is_of_rows(1, 2 + 3 * trc.names.len(), |tally| tally.words)
+            && trc.values.iter().all(|value| !value.is_nan());
         // Without a rate in the head, the times of all frames would say it.
         number::read(trc.value("DataRate")?.as_bytes()).filter(|rate| *rate > 0.0 && *rate < 1e7)?;
         let (markers, _) = trc.markers();
