@@ -12,6 +12,7 @@ pub mod csm;
 mod fields;
 pub(crate) mod kind;
 mod rows;
+mod table;
 pub mod trc;
 
 /// The unit in which an Acclaim file gives angles.
