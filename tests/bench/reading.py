@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import motion_theater as mt
 from tests.bench.files import Take, take
-from tests.bench.limit import times_ms
+from tests.bench.limit import against_the_limit, times_ms
 from tests.bench.plain_amc import read_amc
 from tests.bench.timing import Row, medians_s, ms
 
@@ -14,15 +14,13 @@ from tests.bench.timing import Row, medians_s, ms
 def measure() -> Iterator[Row]:
     """Yield the rows of the table."""
     measured = take()
-    yield _against_the_limit(measured)
+    yield from _against_the_limit(measured)
     yield from _against_plain_python(measured)
 
 
-def _against_the_limit(measured: Take) -> Row:
+def _against_the_limit(measured: Take) -> Iterator[Row]:
     """The limit: the same numbers, read from a text that holds nothing else."""
-    times = times_ms(measured.amc, measured.asf)
-    detail = f"{times['amc']:.3g} ms, its numbers alone {times['numbers']:.3g} ms"
-    return Row("AMC bytes read, one thread, share of the limit", times["numbers"] / times["amc"], 0.5, detail=detail)
+    yield from against_the_limit("AMC", times_ms(measured.amc, measured.asf))
 
 
 def _against_plain_python(measured: Take) -> Iterator[Row]:

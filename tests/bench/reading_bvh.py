@@ -10,7 +10,7 @@ from pathlib import Path
 
 import motion_theater as mt
 from tests.bench.files import take
-from tests.bench.limit import times_ms
+from tests.bench.limit import against_the_limit, times_ms
 from tests.bench.timing import Row, medians_s, ms
 from tests.bench.write_bvh import write_bvh
 
@@ -20,12 +20,7 @@ def measure() -> Iterator[Row]:
     measured = take()
     with tempfile.TemporaryDirectory() as folder:
         bvh = measured.bvh or write_bvh(measured, Path(folder) / "same.bvh")
-        times = times_ms(bvh)
-        numbers, alone, together = times["numbers"], times["bvh"], times["threads"]
-        detail = f"{alone:.3g} ms, its numbers alone {numbers:.3g} ms"
-        yield Row("BVH bytes read, one thread, share of the limit", numbers / alone, 0.5, detail=detail)
-        detail = f"{together:.3g} ms, one {alone:.3g} ms"
-        yield Row("BVH bytes read, two threads against one", alone / together, 1.6, detail=detail)
+        yield from against_the_limit("BVH", times_ms(bvh))
         yield _against_pybvh(bvh)
 
 

@@ -11,6 +11,7 @@ pub mod c3d;
 pub mod csm;
 mod fields;
 pub(crate) mod kind;
+mod parts;
 mod rows;
 mod table;
 pub mod trc;
