@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from .. import sources, stack
+from .. import relinking, sources, stack
 from ..translations import text
 from . import target
 
@@ -46,7 +46,7 @@ class MOTION_THEATER_OT_relink_source(bpy.types.Operator, ImportHelper):
     def execute(self, context: Context) -> set[str]:
         def relink(ob: Object) -> str:
             entry = target.entry(ob)
-            sources.relink(ob, entry, self.filepath)
+            relinking.relink(ob, entry, self.filepath)
             return text("“{name}” now comes from {file}", name=entry.name, file=Path(self.filepath).name)
 
         return target.carry_out(self, context, relink)
@@ -112,7 +112,7 @@ class MOTION_THEATER_OT_unpack_sources(bpy.types.Operator):
             tracks = _tracks(ob, packed=True)
             packed = stack.of(ob).packed
             for entry in tracks:
-                sources.unpack(ob, entry, str(Path(self.directory) / packed[entry.packed_key].filename))
+                relinking.unpack(ob, entry, str(Path(self.directory) / packed[entry.packed_key].filename))
             return text("Wrote the sources of {count} tracks to {folder}", count=len(tracks), folder=self.directory)
 
         return target.carry_out(self, context, unpack)

@@ -159,7 +159,7 @@ def test_a_file_without_permission_is_told(tmp_path: Path) -> None:
     path.chmod(0)
     harness.import_human()
     if os.access(path, os.R_OK):  # root may read everything: the system's answer is played instead
-        sources = harness.module("sources")
+        sources = harness.module("sources.files")
         original = sources.motion_theater.read
         sources.motion_theater.read = lambda path: (_ for _ in ()).throw(PermissionError(13, "Permission denied", path))
         try:

@@ -11,7 +11,7 @@ import pytest
 
 from tests import harness
 
-sources = harness.module("sources")
+relinking, sources = harness.module("relinking"), harness.module("sources")
 stack = harness.module("stack")
 UserError = harness.module("logic.messages").UserError
 
@@ -44,7 +44,7 @@ def test_a_moved_file_is_said_and_the_motion_stays(clip: Path, monkeypatch: pyte
     assert not sources.is_missing(ob, entry)
     before = harness.keys(ob)
     clip.rename(clip.with_name("elsewhere.amc"))
-    monkeypatch.setattr(sources, "MISSING_CHECK_S", 0.0)
+    monkeypatch.setattr(harness.module("sources.paths"), "MISSING_CHECK_S", 0.0)
     assert sources.is_missing(ob, entry)
     entry.cut_start = 30
     assert "walk.amc cannot be read" in entry.error
@@ -90,7 +90,7 @@ def test_unpacking_never_overwrites_another_file(clip: Path) -> None:
     bpy.ops.motion_theater.pack_sources()
     clip.write_text("someone else's work")
     with pytest.raises(UserError, match="is there already"):
-        sources.unpack(ob, ob.motion_theater.entries[0], str(clip))
+        relinking.unpack(ob, ob.motion_theater.entries[0], str(clip))
     assert clip.read_text() == "someone else's work"
     assert ob.motion_theater.entries[0].packed_key
 
@@ -123,3 +123,6 @@ def test_a_damaged_packed_source_is_said(clip: Path) -> None:
     ob.motion_theater.packed[0].data = "bm90IHpsaWI="
     with pytest.raises(UserError, match=r"walk\.amc is damaged"):
         stack.rebuild(ob)
+    with pytest.raises(UserError, match=r"walk\.amc is damaged"):
+        relinking.unpack(ob, ob.motion_theater.entries[0], str(clip.with_name("elsewhere.amc")))
+    assert not clip.with_name("elsewhere.amc").exists()

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use motion_theater_core::infer::tallness;
 use motion_theater_core::loaded::{Loaded, Pairing};
 use motion_theater_core::markers::Event;
 use motion_theater_core::upright::axis_name;
@@ -116,7 +117,7 @@ impl Info {
             events: markers.map_or_else(Vec::new, |markers| markers.events.iter().map(Happening::of).collect()),
             unit_m: skeleton.map(|skeleton| skeleton.unit.metres).or(markers.map(|markers| markers.unit.metres)),
             up: skeleton.map(|skeleton| skeleton.up).or(markers.map(|markers| markers.up.axis)).map(axis_name),
-            height_m: skeleton.map(|skeleton| skeleton.height() * skeleton.unit.metres),
+            height_m: skeleton.map(|skeleton| tallness(skeleton) * skeleton.unit.metres),
             skeleton: loaded.pairing.as_ref().and_then(Pairing::path).map(|path| path.display().to_string()),
             notices: loaded.notices,
             error: None,

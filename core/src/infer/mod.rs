@@ -63,6 +63,14 @@ impl Inference {
     }
 }
 
+/// Returns how tall a figure is, in file units: a person by the bones, whatever the pose; anything else as the rest pose is.
+///
+/// Rest poses of real files lie, crouch, or have all joints in one place.
+pub fn tallness(skeleton: &Skeleton) -> f64 {
+    let person = Body::find(skeleton).filter(Body::is_person);
+    person.map_or_else(|| skeleton.height(), |body| body.stature())
+}
+
 /// Works out what a skeleton, and a motion of it in the file's axes, do not say of themselves.
 ///
 /// Joints are recognised by their names. The size of a person is taken from the lengths of the bones, which no pose
@@ -88,5 +96,29 @@ fn rate(motion: Option<&Motion>) -> Answer<Option<f64>> {
         Some(rate) if USUAL_RATES_HZ.contains(&rate) => Answer::certain(Some(rate), "as the file says"),
         Some(rate) => Answer::unsure(Some(rate), "as the file says, but nothing is captured at such a rate"),
         None => Answer::unsure(None, "the file does not say"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_person_is_as_tall_in_any_rest_pose_and_anything_else_as_its_rest_pose_is() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/human.asf");
+        let mut skeleton = crate::read::read_path(std::path::Path::new(path), None).unwrap().skeleton.unwrap();
+        let upright = tallness(&skeleton);
+        assert!((upright / skeleton.height() - 1.0).abs() < 0.1, "{upright}, in its pose {}", skeleton.height());
+        for bone in &mut skeleton.bones {
+            (bone.offset, bone.tail) = (bone.offset.length() * DVec3::X, bone.tail.length() * DVec3::X);
+        }
+        assert_eq!(skeleton.height(), 0.0);
+        assert!((tallness(&skeleton) / upright - 1.0).abs() < 1e-12);
+
+        for (index, bone) in skeleton.bones.iter_mut().enumerate() {
+            bone.name = format!("part{index}");
+            bone.offset += DVec3::Y;
+        }
+        assert_eq!(tallness(&skeleton), skeleton.height());
     }
 }

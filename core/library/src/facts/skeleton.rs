@@ -1,5 +1,6 @@
 //! What tells skeletons apart.
 
+use motion_theater_core::infer::tallness;
 use motion_theater_core::Skeleton;
 
 /// What is known of a skeleton.
@@ -7,14 +8,14 @@ use motion_theater_core::Skeleton;
 pub struct SkeletonFacts {
     /// Equal where the names and the hierarchy of two skeletons are.
     pub fingerprint: String,
-    /// The height of the rest pose.
+    /// How tall the figure is: a person by the bones, anything else as the rest pose is.
     pub height_m: f64,
 }
 
 impl SkeletonFacts {
     /// Takes them from a skeleton.
     pub(super) fn of(skeleton: &Skeleton) -> Self {
-        Self { fingerprint: fingerprint(skeleton), height_m: skeleton.height() * skeleton.unit.metres }
+        Self { fingerprint: fingerprint(skeleton), height_m: tallness(skeleton) * skeleton.unit.metres }
     }
 }
 
