@@ -8,9 +8,9 @@
 //!   is there already.
 //! - *amc*, *bvh*: the file's bytes, with names, frames and checks, into an [`Amc`] or [`Bvh`] made anew each time, on one
 //!   thread.
-//! - *threads*: a BVH on two.
-//! - *motion*: from there to quaternions in the file's axes, on all threads; of a BVH on two.
-//! - *disk*: from the path to what the file says, on as many.
+//! - *threads*: the same on two.
+//! - *motion*: from there to quaternions in the file's axes, on two.
+//! - *disk*: from the path to what the file says, on two.
 
 use motion_theater_core::formats::{amc::Amc, asf::Asf, bvh::Bvh};
 use motion_theater_core::number::read_prefix;
@@ -41,57 +41,58 @@ fn main() {
 fn measure_amc(motion_file: &Path, skeleton_file: Option<&Path>) {
     let source = std::fs::read(motion_file).expect("the motion can be read");
     let amc = Amc::parse(&source).expect("the motion is an AMC");
-    let numbers = numbers_of_amc(&source);
-    let mut room = Vec::with_capacity(amc.values.len());
-    println!("{}: {} bytes, {} values", motion_file.display(), source.len(), amc.values.len());
-
-    // By turns, so that whatever else the machine does meanwhile slows all of them down alike.
-    let [limit, parse, disk] = measure([
-        &mut || read_numbers(&numbers, &mut room),
-        &mut || drop(black_box(Amc::parse(black_box(&source)).ok())),
-        &mut || drop(black_box(std::fs::read(motion_file).map(|source| Amc::parse(&source)).ok())),
-    ]);
-    assert_eq!(room, amc.values, "both read the same numbers");
-    limit.print("numbers", numbers.len(), limit);
-    parse.print("amc", source.len(), limit);
-    disk.print("disk", source.len(), limit);
-    if let Some(skeleton_file) = skeleton_file {
-        let skeleton = std::fs::read(skeleton_file).expect("the skeleton can be read");
-        let skeleton = Asf::parse(&skeleton).expect("the skeleton is an ASF").skeleton();
-        let [motion] = measure([&mut || drop(black_box(amc.motion(black_box(&skeleton)).ok()))]);
-        println!("motion   {motion}");
-    }
+    let skeleton = skeleton_file.map(|file| std::fs::read(file).expect("the skeleton can be read"));
+    let skeleton = skeleton.map(|source| Asf::parse(&source).expect("the skeleton is an ASF").skeleton());
+    let case = Case { name: "amc", file: motion_file, source: &source, values: &amc.values };
+    let convert = || skeleton.as_ref().and_then(|skeleton| amc.motion(skeleton).ok());
+    case.measure(&numbers_of_amc(&source), |source| Amc::parse(source).ok(), convert);
 }
 
 fn measure_bvh(file: &Path) {
     let source = std::fs::read(file).expect("the file can be read");
     let bvh = Bvh::parse(&source).expect("the file is a BVH");
     let values = &bvh.motion.as_ref().expect("the file has motion").values;
-    let numbers = numbers_of_bvh(&source, values.len());
-    println!("{}: {} bytes, {} values", file.display(), source.len(), values.len());
-    let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be made");
-    let (one, two) = (pool(1), pool(2));
-    let parse = || drop(black_box(Bvh::parse(black_box(&source)).ok()));
-    // All of it on the thread of one pool: work that is handed to another thread waits for it on a busy machine.
-    let [limit, alone, together, motion, disk] = one.install(|| {
-        let mut room = Vec::with_capacity(values.len());
-        let times = measure([
-            &mut || read_numbers(&numbers, &mut room),
-            &mut || parse(),
-            &mut || two.install(parse),
-            &mut || two.install(|| drop(black_box(bvh.motion()))),
-            &mut || two.install(|| drop(black_box(std::fs::read(file).map(|source| Bvh::parse(&source)).ok()))),
-        ]);
-        assert_eq!(&room, values, "both read the same numbers");
-        times
-    });
-    limit.print("numbers", numbers.len(), limit);
-    alone.print("bvh", source.len(), limit);
-    together.print("threads", source.len(), limit);
-    disk.print("disk", source.len(), limit);
-    println!("motion   {motion}");
-    let (gain, best) = (alone.median_s / together.median_s, alone.best_s / together.best_s);
-    println!("Two threads are {gain:.2} times as fast as one (best {best:.2})");
+    let case = Case { name: "bvh", file, source: &source, values };
+    case.measure(&numbers_of_bvh(&source, values.len()), |source| Bvh::parse(source).ok(), || bvh.motion());
+}
+
+/// A file that is measured.
+struct Case<'a> {
+    name: &'a str,
+    file: &'a Path,
+    source: &'a [u8],
+    values: &'a [f64],
+}
+
+impl Case<'_> {
+    /// Measures a reader and a conversion against reading `numbers`, the text of nothing but the values.
+    fn measure<T, U>(&self, numbers: &[u8], parse: impl Fn(&[u8]) -> T + Sync, convert: impl Fn() -> U + Sync) {
+        println!("{}: {} bytes, {} values", self.file.display(), self.source.len(), self.values.len());
+        let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be made");
+        let (one, two) = (pool(1), pool(2));
+        let read = || drop(black_box(parse(black_box(self.source))));
+        // By turns, so that whatever else the machine does meanwhile slows all of them down alike; and all of it on the
+        // thread of one pool: work that is handed to another thread waits for it on a busy machine.
+        let [limit, alone, together, motion, disk] = one.install(|| {
+            let mut room = Vec::with_capacity(self.values.len());
+            let times = measure([
+                &mut || read_numbers(numbers, &mut room),
+                &mut || read(),
+                &mut || two.install(read),
+                &mut || two.install(|| drop(black_box(convert()))),
+                &mut || two.install(|| drop(black_box(std::fs::read(self.file).map(|source| parse(&source)).ok()))),
+            ]);
+            assert_eq!(room, self.values, "both read the same numbers");
+            times
+        });
+        limit.print("numbers", numbers.len(), limit);
+        alone.print(self.name, self.source.len(), limit);
+        together.print("threads", self.source.len(), limit);
+        disk.print("disk", self.source.len(), limit);
+        println!("motion   {motion}");
+        let (gain, best) = (alone.median_s / together.median_s, alone.best_s / together.best_s);
+        println!("Two threads are {gain:.2} times as fast as one (best {best:.2})");
+    }
 }
 
 /// Returns the files that were named, or the first usual pair that is there.

@@ -300,6 +300,8 @@ class Clip:
     """The skeleton file that an AMC names in its comments; unreliable."""
 
     markers: Markers | None
+    """Those of a C3D are named, and their unit and up axis worked out, when they or `notices` are first asked for."""
+
     parameters: dict[str, list[float] | list[str]]
     """Of a C3D, by "GROUP:NAME", flat; force plates and all others. Of two with one name, the first."""
 

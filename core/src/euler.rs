@@ -3,6 +3,9 @@
 //! Angles are always indexed x, y, z; the order only says which is applied first (about fixed axes). Extraction follows
 //! K. Shoemake, "Euler Angle Conversion" (Graphics Gems IV, 1994), in f64.
 
+mod many;
+mod sines;
+
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::str::FromStr;

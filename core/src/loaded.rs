@@ -165,7 +165,7 @@ impl Loaded {
 
     fn of(path: &Path, mut clip: Clip) -> Self {
         let (skeleton, motion) = (clip.skeleton.take(), clip.motion.take());
-        let notices = std::mem::take(&mut clip.notices);
+        let notices = clip.notices().to_vec();
         Self { path: path.to_owned(), clip, skeleton, motion, pairing: None, notices }
     }
 
@@ -237,7 +237,7 @@ impl Loaded {
     pub fn moving(&self) -> Result<(&Skeleton, &Motion), LoadError> {
         let motion = self.motion.as_ref().ok_or_else(|| match self.clip.format {
             Format::Amc => self.needs_skeleton(),
-            _ if self.clip.markers.is_some() => LoadError::OnlyMarkers(self.path.clone()),
+            _ if self.clip.has_markers() => LoadError::OnlyMarkers(self.path.clone()),
             _ => LoadError::NoMotion(self.path.clone()),
         })?;
         Ok((self.skeleton()?, motion))

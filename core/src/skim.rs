@@ -34,7 +34,7 @@ pub fn skim(source: &[u8], name: &Path) -> Option<Skim> {
     let (clip, frame_count) = match Format::of(source.get(..HEAD_BYTES).unwrap_or(source), name)? {
         Format::Amc => {
             let (amc, count) = Amc::skim(source)?;
-            (Clip::of_amc(amc), count)
+            (Clip::of_amc(amc, None), count)
         }
         Format::Bvh => {
             let (bvh, count) = Bvh::skim(source)?;
@@ -42,11 +42,11 @@ pub fn skim(source: &[u8], name: &Path) -> Option<Skim> {
         }
         Format::Csm => {
             let (csm, markers, count) = Csm::skim(source)?;
-            (Clip { csm: Some(csm), ..Clip::of_markers(Format::Csm, markers) }, count)
+            (Clip::of_csm(csm, markers), count)
         }
         Format::Trc => {
             let (trc, markers, count) = Trc::skim(source)?;
-            (Clip { trc: Some(trc), ..Clip::of_markers(Format::Trc, markers) }, count)
+            (Clip::of_trc(trc, markers), count)
         }
         Format::Asf | Format::C3d => return None,
     };

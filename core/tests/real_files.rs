@@ -30,21 +30,21 @@ fn every_file_is_read_and_survives_writing() {
     let Some(folder) = folder() else { return };
     for (skeleton_file, bone_count, motions) in FILES {
         let clip = read_path(&folder.join(skeleton_file), None).unwrap();
-        let (asf, skeleton) = (clip.asf.unwrap(), clip.skeleton.unwrap());
+        let (asf, skeleton) = (clip.asf.clone().unwrap(), clip.skeleton.clone().unwrap());
         assert_eq!((clip.format, asf.bones.len(), skeleton.bones.len()), (Format::Asf, bone_count, bone_count + 1));
         assert_eq!(Asf::parse(&asf.to_bytes()).unwrap(), asf, "{skeleton_file}");
         assert!(skeleton.unit.is_certain, "{}", skeleton.unit.reason);
         for (motion_file, frame_count) in motions {
             let clip = read_path(&folder.join(motion_file), Some(&skeleton)).unwrap();
-            let (amc, motion) = (clip.amc.unwrap(), clip.motion.unwrap());
+            let (amc, motion) = (clip.amc.clone().unwrap(), clip.motion.clone().unwrap());
             assert_eq!((amc.frame_count, motion.frame_count, motion.first_frame), (*frame_count, *frame_count, 1));
             assert_eq!(amc.values.len(), frame_count * amc.width(), "{motion_file}");
             let again = Amc::parse(&amc.to_bytes()).unwrap();
             let bits = |amc: &Amc| amc.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
             assert_eq!(bits(&again), bits(&amc), "{motion_file}");
             assert_eq!(again, amc, "{motion_file}");
-            println!("{motion_file}: {:?}", clip.notices);
+            println!("{motion_file}: {:?}", clip.notices());
         }
-        println!("{skeleton_file}: {:?}", clip.notices);
+        println!("{skeleton_file}: {:?}", clip.notices());
     }
 }

@@ -141,7 +141,7 @@ fn a_c3d_of_floating_point_is_within_half_a_step_as_integers() {
 #[test]
 fn what_is_read_all_at_once_is_what_each_sample_says() {
     for path in files("c3d", "c3d") {
-        let positions = &read(&path).markers.unwrap().positions;
+        let positions = &read(&path).markers().unwrap().clone().positions;
         let numbers = positions.to_f32().unwrap();
         let mut together = numbers.as_chunks::<3>().0.iter().zip(positions.valid());
         let samples = together.len();
@@ -158,7 +158,7 @@ fn what_is_read_all_at_once_is_what_each_sample_says() {
 #[test]
 fn markers_of_every_c3d_composed_anew_are_the_same() {
     for path in files("c3d", "c3d") {
-        let markers = read(&path).markers.unwrap();
+        let markers = read(&path).markers().unwrap().clone();
         for processor in PROCESSORS {
             let float = Encoding { processor, storage: Storage::Float };
             let clip = C3d::parse(C3d::compose(&markers, float).unwrap()).unwrap();
@@ -197,7 +197,7 @@ fn every_file_is_read_and_its_oddities_are_said() {
     let folders = [("c3d", "c3d"), ("csm", "csm"), ("other/trc", "trc")];
     for path in folders.iter().flat_map(|(folder, extension)| files(folder, extension)) {
         let clip = read(&path);
-        let markers = clip.markers.unwrap();
+        let markers = clip.markers().unwrap().clone();
         println!(
             "{}: {} markers, {} frames from {}, {:?} Hz, {} channels, {} events",
             name(&path),
@@ -208,7 +208,7 @@ fn every_file_is_read_and_its_oddities_are_said() {
             markers.analog.channels.len(),
             markers.events.len()
         );
-        println!("    {}", clip.notices.join("\n    "));
+        println!("    {}", clip.notices().join("\n    "));
         assert!(markers.frame_count() > 0, "{}", name(&path));
     }
 }

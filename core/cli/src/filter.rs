@@ -33,7 +33,7 @@ pub fn run(options: &FilterOptions, console: &Console) -> Outcome {
 
 fn filter(loaded: &Loaded, options: &FilterOptions, depth: Depth, format: Format) -> Result<Files, String> {
     let kind = options.kind.into();
-    if let Some(markers) = &loaded.clip.markers {
+    if let Some(markers) = loaded.clip.markers() {
         let chosen = chosen(loaded, "marker", markers.names.iter().map(String::as_str), options)?;
         let mut filtered = Markers::clone(markers);
         filtered.filter(&chosen.unwrap_or_else(|| (0..markers.count()).collect()), kind, depth);

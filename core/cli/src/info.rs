@@ -101,7 +101,7 @@ impl Info {
     fn of(loaded: Loaded) -> Self {
         let skeleton = loaded.skeleton.as_ref();
         let (frames, rate_hz) = (loaded.frame_count(), loaded.rate_hz());
-        let markers = loaded.clip.markers.as_ref();
+        let markers = loaded.clip.markers();
         Self {
             path: loaded.path.display().to_string(),
             format: Some(loaded.clip.format.extension()),

@@ -9,7 +9,7 @@ const CARRIED_GROUPS: [&str; 4] = ["POINT", "ANALOG", "TRIAL", "EVENT"];
 
 /// Returns what a file had that is not in what is written of it, a few words each.
 pub fn left_out(clip: &Clip, written: &Markers, format: Format) -> Vec<String> {
-    let Some(markers) = &clip.markers else { return Vec::new() };
+    let Some(markers) = clip.markers() else { return Vec::new() };
     let is_c3d = format == Format::C3d;
     let others = markers.kinds.iter().filter(|kind| **kind != PointKind::Position).count();
     let channels = markers.analog.channels.len();

@@ -53,7 +53,7 @@ fn pose_at(loaded: &Loaded, frame: Option<f64>) -> Result<PoseReport, String> {
             _ => format!("{}: its frames are {first} to {last}, without {frame}", loaded.path.display()),
         });
     }
-    if let Some(markers) = &loaded.clip.markers {
+    if let Some(markers) = loaded.clip.markers() {
         return seen_at(&loaded.path, markers, frame);
     }
     if loaded.frame_count() > 0 {

@@ -80,7 +80,7 @@ pub fn converted(loaded: &Loaded, format: Format, rate_hz: Option<f64>, output: 
         return Ok(Files::one(output, loaded.clip.to_bytes()));
     }
     let resampled = |error: ParameterError| format!("{}: {error}", loaded.path.display());
-    if let Some(markers) = &loaded.clip.markers {
+    if let Some(markers) = loaded.clip.markers() {
         let Some(rate_hz) = rate_hz else { return of_markers(loaded, markers, format, output) };
         let changed = markers.resampled(rate_hz).map_err(resampled)?;
         return of_markers(loaded, &changed, format, output);

@@ -8,19 +8,18 @@ use pyo3::prelude::*;
 
 /// Rows of three.
 pub fn vectors<'py>(py: Python<'py>, values: &[DVec3]) -> Bound<'py, PyArray2<f64>> {
-    rows(py, values.iter().map(DVec3::to_array))
+    rows(py, values.iter().map(DVec3::to_array).collect())
 }
 
 /// Rows of w, x, y, z.
 pub fn quaternions<'py>(py: Python<'py>, values: &[DQuat]) -> Bound<'py, PyArray2<f64>> {
-    rows(py, values.iter().map(|value| [value.w, value.x, value.y, value.z]))
+    rows(py, values.iter().map(|value| [value.w, value.x, value.y, value.z]).collect())
 }
 
-/// Rows of N numbers.
-pub fn rows<const N: usize>(py: Python<'_>, rows: impl ExactSizeIterator<Item = [f64; N]>) -> Bound<'_, PyArray2<f64>> {
+/// Rows of N numbers, which are handed over as they lie.
+pub fn rows<const N: usize>(py: Python<'_>, rows: Vec<[f64; N]>) -> Bound<'_, PyArray2<f64>> {
     let shape = (rows.len(), N);
-    let flat: Vec<f64> = rows.flatten().collect();
-    match Array2::from_shape_vec(shape, flat) {
+    match Array2::from_shape_vec(shape, rows.into_flattened()) {
         Ok(array) => numpy::IntoPyArray::into_pyarray(array, py),
         // The vector holds exactly `rows * N` numbers, so this does not happen; an empty array is still an answer.
         Err(_) => Array2::<f64>::zeros((0, N)).to_pyarray(py),

@@ -7,6 +7,7 @@ use motion_theater_core::formats::c3d::ParameterType;
 use motion_theater_core::read::{read_bytes as read_from_bytes, read_path, Clip, Format};
 use motion_theater_core::{ParameterError, ReadError, Skeleton};
 use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::errors;
@@ -22,7 +23,7 @@ pub struct PyClip {
     clip: Clip,
     skeleton: Option<Py<PySkeleton>>,
     motion: Option<Py<PyMotion>>,
-    markers: Option<Py<PyMarkers>>,
+    markers: PyOnceLock<Py<PyMarkers>>,
 }
 
 /// Read any supported file. Raises `ParseError`, `MisfitError` or `OSError`.
@@ -55,15 +56,15 @@ impl PyClip {
     ) -> PyResult<Self> {
         let given = skeleton.map(|skeleton| Arc::clone(&skeleton.0));
         let mut clip = py.detach(|| read(given.as_deref())).map_err(errors::read)?;
-        let names = clip.names();
+        // Markers are named when they are first asked for.
+        let names = if clip.has_markers() { Vec::new() } else { clip.names() };
         let own = clip.skeleton.take().map(Arc::new);
         let motion = match (clip.motion.take(), own.as_ref().or(given.as_ref())) {
             (Some(motion), Some(skeleton)) => Some(Py::new(py, PyMotion::new(motion, Arc::clone(skeleton)))?),
             _ => None,
         };
         let skeleton = own.map(|skeleton| Py::new(py, PySkeleton(skeleton))).transpose()?;
-        let markers = clip.markers.clone().map(|markers| Py::new(py, PyMarkers(markers))).transpose()?;
-        Ok(Self { path: path.display().to_string(), names, clip, skeleton, motion, markers })
+        Ok(Self { path: path.display().to_string(), names, clip, skeleton, motion, markers: PyOnceLock::new() })
     }
 }
 
@@ -80,13 +81,14 @@ impl PyClip {
     }
 
     #[getter]
-    fn notices(&self) -> Vec<String> {
-        self.clip.notices.clone()
+    fn notices(&self, py: Python<'_>) -> Vec<String> {
+        py.detach(|| self.clip.notices().to_vec())
     }
 
     #[getter]
-    fn names(&self) -> Vec<String> {
-        self.names.clone()
+    fn names(&self, py: Python<'_>) -> Vec<String> {
+        let of_markers = py.detach(|| self.clip.markers()).map(|markers| markers.names.clone());
+        of_markers.unwrap_or_else(|| self.names.clone())
     }
 
     #[getter]
@@ -115,8 +117,10 @@ impl PyClip {
     }
 
     #[getter]
-    fn markers(&self, py: Python<'_>) -> Option<Py<PyMarkers>> {
-        self.markers.as_ref().map(|markers| markers.clone_ref(py))
+    fn markers(&self, py: Python<'_>) -> PyResult<Option<Py<PyMarkers>>> {
+        let Some(markers) = py.detach(|| self.clip.markers()) else { return Ok(None) };
+        let made = self.markers.get_or_try_init(py, || Py::new(py, PyMarkers(Arc::clone(markers))))?;
+        Ok(Some(made.clone_ref(py)))
     }
 
     #[getter]
@@ -175,9 +179,9 @@ impl PyClip {
         PyBytes::new(py, &self.clip.skeleton_to_bytes())
     }
 
-    fn __repr__(&self) -> String {
-        let what = if self.markers.is_some() { "markers" } else { "bones" };
-        format!("<Clip '{}': {} {what}, {} frames>", self.path, self.names.len(), self.frames())
+    fn __repr__(&self, py: Python<'_>) -> String {
+        let what = if self.clip.has_markers() { "markers" } else { "bones" };
+        format!("<Clip '{}': {} {what}, {} frames>", self.path, self.names(py).len(), self.frames())
     }
 }
 

@@ -129,7 +129,7 @@ impl PyMotion {
     }
 
     fn angles<'py>(&self, py: Python<'py>, bone: usize) -> PyResult<Array<'py>> {
-        Ok(rows(py, self.bone(bone)?.angles.iter().copied()))
+        Ok(rows(py, self.bone(bone)?.angles.clone()))
     }
 
     fn translations<'py>(&self, py: Python<'py>, bone: usize) -> PyResult<Array<'py>> {

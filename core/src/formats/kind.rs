@@ -75,7 +75,7 @@ pub(crate) fn recognise(source: &[u8]) -> Option<Kind> {
     if let Some((_, kind)) = BEGINNINGS.iter().find(|(beginning, _)| is_like(beginning)) {
         return Some(*kind);
     }
-    if source.contains(&0) {
+    if memchr::memchr(0, source).is_some() {
         if matches!(head, [block, 0x50, ..] if *block < b' ') {
             return Some(Kind::C3d);
         }

@@ -10,7 +10,9 @@ pub mod bvh;
 pub mod c3d;
 pub mod csm;
 mod fields;
+mod frame_values;
 pub(crate) mod kind;
+mod parts;
 mod rows;
 pub mod trc;
 

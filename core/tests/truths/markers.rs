@@ -103,7 +103,7 @@ pub fn truth(file: &str) -> Truth {
 
 /// Reads the markers of a file.
 pub fn read(folder: &Path, file: &str) -> Markers {
-    let markers = read_path(&folder.join(file), None).unwrap().markers.unwrap();
+    let markers = read_path(&folder.join(file), None).unwrap().markers().unwrap().clone();
     Markers::clone(&markers)
 }
 

@@ -82,8 +82,8 @@ fn of_whole(read: Result<Clip, ReadError>, path: &Path) -> Result<(Facts, Clip),
 impl Facts {
     /// Takes them from a clip that holds `frames` frames, or stands for so many.
     pub(crate) fn of(clip: &Clip, frames: usize, path: &Path) -> Self {
-        let markers = clip.markers.as_ref();
-        let mut notices = clip.notices.clone();
+        let markers = clip.markers();
+        let mut notices = clip.notices().to_vec();
         let said_rate = clip.rate_hz();
         if frames > 0 && said_rate.is_none() {
             notices.push(format!("The file does not say its rate: {ASSUMED_RATE_HZ} Hz assumed"));

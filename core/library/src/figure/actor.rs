@@ -62,7 +62,7 @@ impl<'a> Actor<'a> {
     /// # Errors
     /// Where there is neither: a motion whose skeleton was not found.
     pub fn of(loaded: &'a Loaded) -> Result<Self, LoadError> {
-        match loaded.clip.markers.as_deref() {
+        match loaded.clip.markers() {
             Some(markers) => Ok(Self::of_markers(markers)),
             None => Ok(Self::of_skeleton(loaded.skeleton()?, loaded.motion.as_ref())),
         }

@@ -1,8 +1,8 @@
 //! The fast version of reading a frame: it takes frames that are written as nearly all are, and leaves the others alone.
 
 use super::AmcBone;
-use crate::number::read_prefix;
-use crate::text::{end_of_line, skip_blanks, LARGEST};
+use crate::formats::parts::read_row;
+use crate::text::end_of_line;
 
 /// What a usual frame looks like: the bones of the first frame, in the same order.
 pub(super) struct FrameLayout {
@@ -10,19 +10,28 @@ pub(super) struct FrameLayout {
     names: Vec<u8>,
     /// For each bone the length of its name with the blank, and how many values follow.
     bones: Vec<(usize, usize)>,
+    /// How many values a frame has.
+    pub(super) width: usize,
 }
 
 impl FrameLayout {
     pub(super) fn new(bones: &[AmcBone]) -> Self {
         let names = bones.iter().flat_map(|bone| bone.name.bytes().chain([b' '])).collect();
-        Self { names, bones: bones.iter().map(|bone| (bone.name.len() + 1, bone.width)).collect() }
+        let width = bones.iter().map(|bone| bone.width).sum();
+        Self { names, bones: bones.iter().map(|bone| (bone.name.len() + 1, bone.width)).collect(), width }
+    }
+
+    /// Returns how many lines a usual frame has.
+    pub(super) fn line_count(&self) -> usize {
+        1 + self.bones.len()
     }
 
     /// Reads a frame at byte `at` if it has one line per bone in the usual order, with nothing else between, and returns
     /// its number and where the next begins. Anything unusual is `None`, with `values` as they were.
     pub(super) fn read_usual(&self, source: &[u8], at: usize, values: &mut Vec<f64>) -> Option<(i64, usize)> {
         let start = values.len();
-        let frame = self.read(source.get(at..)?, values);
+        values.resize(start + self.width, 0.0);
+        let frame = self.read(source.get(at..)?, values.get_mut(start..)?);
         if frame.is_none() {
             values.truncate(start);
         }
@@ -30,26 +39,16 @@ impl FrameLayout {
         Some((number, source.len() - rest.len()))
     }
 
+    /// Reads the usual frame that a text begins with into a row: returns its number and the text behind it.
     #[inline]
-    fn read<'a>(&self, source: &'a [u8], values: &mut Vec<f64>) -> Option<(i64, &'a [u8])> {
+    pub(super) fn read<'a>(&self, source: &'a [u8], mut row: &mut [f64]) -> Option<(i64, &'a [u8])> {
         let (number, mut rest) = frame_number(source)?;
         let mut names = self.names.as_slice();
         for (name_length, width) in &self.bones {
             let (name, later_names) = names.split_at_checked(*name_length)?;
-            names = later_names;
-            rest = rest.strip_prefix(name)?;
-            for _ in 0..*width {
-                rest = skip_blanks(rest);
-                let (value, length) = read_prefix(rest)?;
-                rest = rest.get(length..)?;
-                // Also refuses what is not finite, and a number that is the start of a longer word.
-                let is_usable = value.abs() <= LARGEST;
-                if !is_usable || !rest.first().is_none_or(u8::is_ascii_whitespace) {
-                    return None;
-                }
-                values.push(value);
-            }
-            rest = end_of_line(rest)?;
+            let (values, later_values) = std::mem::take(&mut row).split_at_mut_checked(*width)?;
+            (names, row) = (later_names, later_values);
+            rest = read_row(rest.strip_prefix(name)?, values)?;
         }
         Some((number, rest))
     }

@@ -13,6 +13,7 @@
 
 mod build;
 mod frame;
+mod frames;
 mod header;
 mod motion;
 mod read;

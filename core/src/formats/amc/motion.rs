@@ -3,6 +3,7 @@
 use super::Amc;
 use crate::error::MisfitError;
 use crate::formats::asf::{dof_words, rotation_order};
+use crate::formats::frame_values::FrameValues;
 use crate::motion::{BoneMotion, Motion};
 use crate::skeleton::{Bone, Dof, EulerOrder, Skeleton};
 use glam::{DQuat, DVec3};
@@ -84,58 +85,37 @@ impl Amc {
         }
     }
 
-    /// Returns the values frame by frame.
-    fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
-        let width = self.values.len() / self.frame_count.max(1);
-        self.values.chunks_exact(width.max(1))
+    fn frame_values(&self) -> FrameValues<'_> {
+        FrameValues::new(&self.values, self.values.len() / self.frame_count.max(1))
     }
 
     /// Returns whether these columns are zero in every frame.
     fn is_zero(&self, columns: std::ops::Range<usize>) -> bool {
-        self.rows().all(|row| row.get(columns.clone()).is_some_and(|values| values.iter().all(|value| *value == 0.0)))
+        let is_zero = |values: &[f64]| values.iter().all(|value| *value == 0.0);
+        self.frame_values().rows().all(|row| row.get(columns.clone()).is_some_and(is_zero))
     }
 
     fn bone_motion(&self, bone: &Bone, columns: &Columns) -> BoneMotion {
-        let unit = self.angle_unit();
-        let order = columns.order(bone);
-        let has = |kind: fn(&Dof) -> bool| columns.dofs.iter().any(kind);
-        let (rotates, translates) =
-            (has(|dof| matches!(dof, Dof::Rotate(_))), has(|dof| matches!(dof, Dof::Translate(_))));
-        let stretches = columns.dofs.contains(&Dof::Length);
-        let room = |is_used: bool| if is_used { self.frame_count } else { 0 };
-        let mut motion = BoneMotion {
-            rotations: Vec::with_capacity(room(rotates)),
-            angles: Vec::with_capacity(room(rotates)),
-            translations: Vec::with_capacity(room(translates)),
-            stretches: Vec::with_capacity(room(stretches)),
+        let values = self.frame_values();
+        let columns_of = |axis_of: fn(&Dof) -> Option<usize>| -> Vec<(usize, usize)> {
+            let dofs = columns.dofs.iter().zip(columns.first..);
+            dofs.filter_map(|(dof, column)| Some((axis_of(dof)?, column))).collect()
         };
-        let mut previous = DQuat::IDENTITY;
-        for row in self.rows() {
-            let values = row.get(columns.first..).unwrap_or_default();
-            let (mut angles, mut translation, mut stretch) = ([0.0; 3], [0.0; 3], 0.0);
-            for (dof, value) in columns.dofs.iter().zip(values) {
-                match dof {
-                    Dof::Rotate(axis) => angles[*axis] = unit.radians(*value),
-                    Dof::Translate(axis) => translation[*axis] = *value,
-                    Dof::Length => stretch = *value,
-                }
-            }
-            if rotates {
-                let turn = order.quat(angles);
-                // C * M * C^-1 turns by the same angle about the axis turned by C.
-                let axis = bone.axes * DVec3::new(turn.x, turn.y, turn.z);
-                let rotation = DQuat::from_xyzw(axis.x, axis.y, axis.z, turn.w);
-                previous = if rotation.dot(previous) < 0.0 { -rotation } else { rotation };
-                motion.rotations.push(previous);
-                motion.angles.push(angles);
-            }
-            if translates {
-                let translation = DVec3::from(translation);
-                motion.translations.push(if bone.parent.is_none() { translation } else { bone.axes * translation });
-            }
-            if stretches {
-                motion.stretches.push(stretch);
-            }
+        let turns = columns_of(|dof| if let Dof::Rotate(axis) = dof { Some(*axis) } else { None });
+        let places = columns_of(|dof| if let Dof::Translate(axis) = dof { Some(*axis) } else { None });
+        let lengths = columns_of(|dof| (*dof == Dof::Length).then_some(0));
+        let mut motion = BoneMotion::default();
+        if !turns.is_empty() {
+            motion.angles = values.triples(&turns, self.angle_unit().radians(1.0), [0.0; 3]);
+            motion.rotations = columns.order(bone).quats(&motion.angles, bone.axes);
+        }
+        if !places.is_empty() {
+            let axes = if bone.parent.is_none() { DQuat::IDENTITY } else { bone.axes };
+            let places = values.triples(&places, 1.0, [0.0; 3]);
+            motion.translations = places.into_iter().map(|place| axes * DVec3::from(place)).collect();
+        }
+        if let Some((_, column)) = lengths.last() {
+            motion.stretches = values.column(*column).collect();
         }
         motion
     }

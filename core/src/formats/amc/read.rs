@@ -1,6 +1,7 @@
 //! Bytes -> [`Amc`].
 //!
-//! There are two ways to read a frame: [`FrameLayout::read_usual`] takes a frame that is written just like the first, without
+//! There are three ways to read frames. [`FrameLayout::read_all`] takes all of them on all threads, where they are written
+//! just like the first and have numbers that ascend by one; [`FrameLayout::read_usual`] takes one that is written so, without
 //! searching and without allocating; [`FrameReader::read_frame`] takes any frame, and says what is wrong with it.
 
 use super::frame::FrameLayout;
@@ -19,6 +20,10 @@ pub(super) fn parse(source: &[u8]) -> Result<Amc, ParseError> {
     let start = lines.at();
     amc.first_frame = read_first_frame(&mut lines, &mut amc)?;
     let layout = FrameLayout::new(&amc.bones);
+    if let Some(values) = layout.read_all(source.get(start..).unwrap_or_default(), amc.first_frame) {
+        amc.frame_count = values.len() / layout.width;
+        return Ok(Amc { values, ..amc });
+    }
     amc.values.reserve_exact(expected_values(source.len(), start, lines.at(), amc.values.len()));
     let mut reader = FrameReader::new(&amc.bones);
     let mut numbers = FrameNumbers::new(amc.first_frame);

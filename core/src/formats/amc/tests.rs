@@ -1,6 +1,7 @@
 //! Rules of the format, a line or two each, and the messages for files that break them.
 
 use super::*;
+use crate::error::Position;
 use crate::formats::asf::Asf;
 use crate::skeleton::Skeleton;
 use glam::{DQuat, DVec3};
@@ -78,6 +79,33 @@ fn frame_numbers_may_begin_anywhere_and_odd_ones_are_kept_with_a_notice() {
         "Frame numbers do not ascend by one (after 8 comes 10): the 3 frames are taken one after the other from 7";
     assert_eq!(amc.notices(), [notice]);
     assert_eq!(Amc::parse(&amc.to_bytes()), Ok(amc));
+}
+
+#[test]
+fn a_long_file_on_several_threads_is_what_the_clear_version_reads() {
+    let frame = |n: i64| format!("{n}\nroot {n}.5 -2 1e-3\nlthumb 7\n");
+    let text = (5..60_000).map(frame).collect::<String>();
+    // A blank line is enough to leave the fast version.
+    let clear = |text: &str| Amc::parse(format!(":DEGREES\n{}", text.replacen("6\n", "6\n\n", 1)).as_bytes());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    let fast = |text: &str| pool.install(|| Amc::parse(format!(":DEGREES\n{text}").as_bytes()));
+    let amc = fast(&text).unwrap();
+    assert_eq!((amc.frame_count, amc.values.len(), &amc.values[8..12]), (59_995, 239_980, &[7.5, -2.0, 1e-3, 7.0][..]));
+    let other_number = text.replace("\n40000\n", "\n40001\n");
+    let shuffled = text.replace("root 40000.5 -2 1e-3\nlthumb 7\n", "lthumb 7\nroot 40000.5 -2 1e-3\n");
+    for text in [&text, text.trim_end(), &text.replace('\n', "\r\n"), &other_number, &shuffled] {
+        assert_eq!(fast(text), clear(text));
+    }
+    for damaged in
+        [text.replace("40000.5", "4x"), text.replace("\nroot 40000.5 -2", "\nroot 40000.5"), text + "60000\n"]
+    {
+        // The blank line stands before the damage.
+        let (found, expected) = (fast(&damaged).unwrap_err(), clear(&damaged).unwrap_err());
+        let line = |position| if let Position::Text { line, .. } = position { line } else { 0 };
+        assert_eq!((line(found.position) + 1, &found.found), (line(expected.position), &expected.found));
+    }
+    let last = i64::MAX.to_string();
+    assert_eq!(fast(&format!("{last}\nroot 1\n")).unwrap().first_frame, i64::MAX);
 }
 
 #[test]

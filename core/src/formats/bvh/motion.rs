@@ -3,6 +3,7 @@
 use super::name::{are_unique, unique_names};
 use super::skeleton::order;
 use super::{Bvh, BvhMotion, Channel, Joint};
+use crate::formats::frame_values::FrameValues;
 use crate::infer::{infer, Figure, Inference};
 use crate::motion::{BoneMotion, Motion};
 use crate::rate::rate_of_frame_time;
@@ -38,10 +39,10 @@ impl Bvh {
             Some(start)
         });
         let columns: Vec<(usize, (&Joint, usize))> = self.joints.iter().zip(starts).enumerate().collect();
-        let width = self.width();
+        let values = FrameValues::new(&motion.values, self.width());
         let of_joint = |(index, (joint, start)): (usize, (&Joint, usize))| {
             if is_wanted(index) {
-                joint.motion(motion, width, start)
+                joint.motion(values, start)
             } else {
                 BoneMotion::default()
             }
@@ -118,44 +119,43 @@ impl BvhMotion {
 }
 
 impl Joint {
-    /// Returns the joint's samples; its values start at column `start` of rows of `width`.
-    fn motion(&self, motion: &BvhMotion, width: usize, start: usize) -> BoneMotion {
-        let axes: Vec<usize> = self.channels.iter().filter_map(|channel| channel.rotation_axis()).collect();
-        let is_euler = (0..3).all(|axis| axes.iter().filter(|a| **a == axis).count() <= 1);
-        let order = order(&self.channels);
-        let room = |is_used: bool| if is_used { motion.frame_count } else { 0 };
-        let (rotates, translates) = (!axes.is_empty(), self.channels.len() > axes.len());
-        let mut samples = BoneMotion {
-            rotations: Vec::with_capacity(room(rotates)),
-            angles: Vec::with_capacity(room(rotates && is_euler)),
-            translations: Vec::with_capacity(room(translates)),
-            stretches: Vec::new(),
+    /// Returns the joint's samples; its values start at column `start`.
+    fn motion(&self, values: FrameValues<'_>, start: usize) -> BoneMotion {
+        let columns = |axis_of: fn(Channel) -> Option<usize>| -> Vec<(usize, usize)> {
+            let channels = self.channels.iter().zip(start..);
+            channels.filter_map(|(channel, column)| Some((axis_of(*channel)?, column))).collect()
         };
-        let mut previous = DQuat::IDENTITY;
-        for row in motion.values.chunks_exact(width.max(1)) {
-            let values = row.get(start..).unwrap_or_default();
-            let (mut angles, mut position, mut turn) = ([0.0; 3], self.offset, DQuat::IDENTITY);
-            for (channel, value) in self.channels.iter().zip(values) {
-                match channel {
-                    Channel::Position(axis) => position[*axis] = *value,
-                    Channel::Rotation(axis) if is_euler => angles[*axis] = value.to_radians(),
-                    Channel::Rotation(axis) => turn *= DQuat::from_axis_angle(DVec3::AXES[*axis], value.to_radians()),
-                }
-            }
-            if rotates {
-                let rotation = if is_euler { order.quat(angles) } else { turn.normalize() };
-                previous = if rotation.dot(previous) < 0.0 { -rotation } else { rotation };
-                samples.rotations.push(previous);
-            }
-            if rotates && is_euler {
-                samples.angles.push(angles);
-            }
-            if translates {
-                samples.translations.push(DVec3::from(position) - DVec3::from(self.offset));
-            }
+        let (turns, places) = (columns(Channel::rotation_axis), columns(Channel::position_axis));
+        let mut samples = BoneMotion::default();
+        let is_euler = (0..3).all(|axis| turns.iter().filter(|(a, _)| *a == axis).count() <= 1);
+        if is_euler && !turns.is_empty() {
+            samples.angles = values.triples(&turns, 1_f64.to_radians(), [0.0; 3]);
+            samples.rotations = order(&self.channels).quats(&samples.angles, DQuat::IDENTITY);
+        } else if !turns.is_empty() {
+            samples.rotations = products(values, &turns);
+        }
+        if !places.is_empty() {
+            let offset = DVec3::from(self.offset);
+            let places = values.triples(&places, 1.0, self.offset);
+            samples.translations = places.into_iter().map(|place| DVec3::from(place) - offset).collect();
         }
         samples
     }
+}
+
+/// Returns the rotations of axes of which some come more than once, neighbours in one hemisphere.
+fn products(values: FrameValues<'_>, turns: &[(usize, usize)]) -> Vec<DQuat> {
+    let mut previous = DQuat::IDENTITY;
+    let product = |row: &[f64]| {
+        let angles = turns.iter().map(|(axis, column)| (*axis, row.get(*column).copied().unwrap_or_default()));
+        let turned = angles.fold(DQuat::IDENTITY, |turned, (axis, degrees)| {
+            turned * DQuat::from_axis_angle(DVec3::AXES[axis], degrees.to_radians())
+        });
+        let rotation = turned.normalize();
+        previous = if rotation.dot(previous) < 0.0 { -rotation } else { rotation };
+        previous
+    };
+    values.rows().map(product).collect()
 }
 
 impl Channel {
@@ -163,6 +163,13 @@ impl Channel {
         match self {
             Self::Rotation(axis) => Some(axis),
             Self::Position(_) => None,
+        }
+    }
+
+    fn position_axis(self) -> Option<usize> {
+        match self {
+            Self::Position(axis) => Some(axis),
+            Self::Rotation(_) => None,
         }
     }
 }

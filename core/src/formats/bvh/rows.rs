@@ -19,8 +19,6 @@ use std::fmt;
 
 mod usual;
 
-pub(super) use usual::read_row;
-
 /// The lines before the values.
 #[derive(Debug, Default)]
 pub(super) struct Head {

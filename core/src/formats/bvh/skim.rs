@@ -2,6 +2,7 @@
 
 use super::tokens::Tokens;
 use super::{hierarchy, rows, Bvh, BvhMotion};
+use crate::formats::parts::read_row;
 use crate::infer::frames_to_look_at;
 use crate::table::Table;
 
@@ -25,7 +26,7 @@ impl Bvh {
         let chosen: Vec<usize> = frames_to_look_at(count, bvh.joints.len()).collect();
         let mut values = vec![0.0; chosen.len() * width];
         for (frame, row) in chosen.iter().zip(values.chunks_exact_mut(width)) {
-            rows::read_row(frames.at_line(*frame)?, row)?;
+            read_row(frames.at_line(*frame)?, row)?;
         }
         bvh.motion = Some(BvhMotion { frame_time_s: head.frame_time_s, frame_count: chosen.len(), values });
         Some((bvh, count))

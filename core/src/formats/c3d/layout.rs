@@ -12,7 +12,8 @@
 
 use super::encoding::Storage;
 use super::header::{Header, BLOCK_BYTES};
-use super::parameters::{Index, Parameter, ParameterType};
+use super::index::Index;
+use super::parameters::{Parameter, ParameterType};
 use crate::rate::RATES_HZ;
 
 /// What lies where in the data.
@@ -135,9 +136,10 @@ pub(super) fn decide(source: &[u8], header: &Header, index: &Index) -> (Layout, 
     let stated = Stated::new(source, index);
     let data_start = data_start(source, header, index, &mut notices);
     let available = source.len() - data_start;
-    let readings = readings(header, &stated);
-    let headers_own = readings.first().copied().unwrap_or_default();
-    let reading = readings.into_iter().find(|reading| reading.fits(available)).unwrap_or(headers_own);
+    // Nearly always the first is the one.
+    let mut readings = readings(header, &stated).peekable();
+    let headers_own = readings.peek().copied().unwrap_or_default();
+    let reading = readings.find(|reading| reading.fits(available)).unwrap_or(headers_own);
     if headers_own != reading {
         notices.push(overruled(&headers_own, &reading));
     }
@@ -199,7 +201,7 @@ fn data_start(source: &[u8], header: &Header, index: &Index, notices: &mut Vec<S
 }
 
 /// Every way to read the counts, likely ones first.
-fn readings(header: &Header, stated: &Stated) -> Vec<Reading> {
+fn readings(header: &Header, stated: &Stated) -> impl Iterator<Item = Reading> {
     let storage_of = |is_float: bool| if is_float { Storage::Float } else { Storage::Integer };
     let samples = usize::from(header.samples_per_frame);
     let by_rate = stated.analog_rate_hz.zip(stated.rate_hz).map(|(analog, point)| (analog / point).round() as usize);
@@ -209,22 +211,19 @@ fn readings(header: &Header, stated: &Stated) -> Vec<Reading> {
     let analog =
         [Some(usize::from(header.analog_per_frame)), channels_times(samples), by_rate.and_then(channels_times)];
     let frames = frame_counts(header, stated);
-    let mut readings = Vec::with_capacity(storages.len() * points.len() * analog.len() * frames.len());
-    for storage in storages.into_iter().flatten() {
-        for point_count in points.into_iter().flatten() {
-            for analog_per_frame in analog.into_iter().flatten() {
-                let counts = frames.into_iter().flatten().filter(|count| *count <= MOST_FRAMES);
-                readings.extend(counts.map(|frame_count| Reading {
-                    storage,
-                    point_count,
-                    // Beyond what a file can hold; products stay far from overflow.
-                    analog_per_frame: analog_per_frame.min(MOST_VALUES),
-                    frame_count,
-                }));
-            }
-        }
-    }
-    readings
+    let point_counts = move |storage| points.into_iter().flatten().map(move |point_count| (storage, point_count));
+    let widths = move |counts| analog.into_iter().flatten().map(move |analog_per_frame| (counts, analog_per_frame));
+    let lengths = move |((storage, point_count), analog_per_frame): ((Storage, usize), usize)| {
+        let counts = frames.into_iter().flatten().filter(|count| *count <= MOST_FRAMES);
+        counts.map(move |frame_count| Reading {
+            storage,
+            point_count,
+            // Beyond what a file can hold; products stay far from overflow.
+            analog_per_frame: analog_per_frame.min(MOST_VALUES),
+            frame_count,
+        })
+    };
+    storages.into_iter().flatten().flat_map(point_counts).flat_map(widths).flat_map(lengths)
 }
 
 /// More frames than any file has: a month at 1000 Hz.

@@ -14,6 +14,7 @@ mod encoding;
 mod events;
 mod frames;
 mod header;
+mod index;
 mod layout;
 mod markers;
 mod parameters;
@@ -33,7 +34,7 @@ use crate::bytes::error_at;
 use crate::error::ParseError;
 use crate::formats::kind::{recognise, Kind};
 use header::{BLOCK_BYTES, KEY};
-use parameters::Index;
+use index::Index;
 use std::sync::Arc;
 
 /// Where the parameter section is where the file does not say.
@@ -59,7 +60,7 @@ impl C3d {
         let start = parameter_start(&bytes)?;
         let block = bytes.first_chunk::<BLOCK_BYTES>();
         let block = block.ok_or_else(|| error_at(bytes.len(), "a header of 512 bytes", "the end of the file"))?;
-        let processor = Index::parse(&bytes, start, start)?.processor();
+        let processor = index::processor(&bytes, start)?;
         let header = Header::read(block, processor);
         let data_start = usize::from(header.data_block).saturating_sub(1) * BLOCK_BYTES;
         let limit = if data_start > start { data_start } else { bytes.len() };
