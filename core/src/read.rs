@@ -8,6 +8,7 @@ use crate::formats::c3d::C3d;
 use crate::formats::csm::Csm;
 use crate::formats::kind::{recognise, Kind};
 use crate::formats::trc::Trc;
+use crate::infer::Inference;
 use crate::markers::Markers;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
@@ -136,6 +137,7 @@ impl Clip {
     pub(crate) fn of_markers(format: Format, (markers, mut notices): (Markers, Vec<String>)) -> Self {
         notices.push(format!("Length unit: {}", markers.unit.reason));
         notices.push(format!("Up axis: {}", markers.up.reason));
+        notices.push(format!("Facing: {}", markers.facing().reason));
         Self { markers: Some(Arc::new(markers)), notices, ..Self::new(format) }
     }
 
@@ -145,13 +147,19 @@ impl Clip {
         Self { amc: Some(amc), notices, ..Self::new(Format::Amc) }
     }
 
+    /// Takes a skeleton, and says what was inferred.
+    fn of_asf(asf: Asf) -> Self {
+        let (skeleton, inference) = asf.skeleton_and_inference();
+        let mut notices = asf.notices();
+        notices.extend(inferred(&inference));
+        Self { asf: Some(asf), skeleton: Some(skeleton), notices, ..Self::new(Format::Asf) }
+    }
+
     /// Takes a motion with its skeleton, and says what was inferred.
     pub(crate) fn of_bvh(bvh: Bvh) -> Self {
         let (skeleton, motion, inference) = bvh.skeleton_motion_and_inference();
         let mut notices = bvh.notices();
-        notices.push(format!("Length unit: {}", inference.unit_m.reason));
-        notices.push(format!("Up axis: {}", inference.up.reason));
-        notices.push(format!("Facing: {}", inference.facing.reason));
+        notices.extend(inferred(&inference));
         Self { bvh: Some(bvh), skeleton: Some(skeleton), motion, notices, ..Self::new(Format::Bvh) }
     }
 
@@ -238,7 +246,7 @@ pub fn read_path(path: &Path, skeleton: Option<&Skeleton>) -> Result<Clip, ReadE
 pub fn read_bytes(source: &[u8], name: &Path, skeleton: Option<&Skeleton>) -> Result<Clip, ReadError> {
     let wrong = |error| ReadError::Parse { path: PathBuf::from(name), error };
     match Format::of(source, name) {
-        Some(Format::Asf) => Ok(asf_clip(Asf::parse(source).map_err(wrong)?)),
+        Some(Format::Asf) => Ok(Clip::of_asf(Asf::parse(source).map_err(wrong)?)),
         Some(Format::Amc) => {
             let amc = Amc::parse(source).map_err(wrong)?;
             amc_clip(amc, skeleton).map_err(|error| ReadError::Misfit { path: PathBuf::from(name), error })
@@ -267,14 +275,11 @@ fn trc_clip(trc: Trc) -> Clip {
     Clip { trc: Some(trc), ..Clip::of_markers(Format::Trc, markers) }
 }
 
-fn asf_clip(asf: Asf) -> Clip {
-    let skeleton = asf.skeleton();
-    let mut notices = asf.notices();
-    notices.push(format!("Length unit: {}", skeleton.unit.reason));
-    if skeleton.up != glam::DVec3::Y {
-        notices.push("Z is taken as up, for the rest pose is far longer along Z than along Y".to_owned());
-    }
-    Clip { asf: Some(asf), skeleton: Some(skeleton), notices, ..Clip::new(Format::Asf) }
+/// Returns what was inferred, with the reasons.
+fn inferred(inference: &Inference) -> [String; 3] {
+    let Inference { unit_m, up, facing, .. } = inference;
+    [("Length unit", &unit_m.reason), ("Up axis", &up.reason), ("Facing", &facing.reason)]
+        .map(|(what, reason)| format!("{what}: {reason}"))
 }
 
 fn amc_clip(amc: Amc, skeleton: Option<&Skeleton>) -> Result<Clip, MisfitError> {
