@@ -18,105 +18,85 @@ pub(super) enum End {
     Back,
 }
 
-/// The words of laboratories, without side and number behind.
-const WORDS: [(&str, Region, End); 33] = [
-    ("asi", Region::Pelvis, End::Front),
-    ("asis", Region::Pelvis, End::Front),
-    ("ias", Region::Pelvis, End::Front),
-    ("fwt", Region::Pelvis, End::Front),
-    ("psi", Region::Pelvis, End::Back),
-    ("psis", Region::Pelvis, End::Back),
-    ("ips", Region::Pelvis, End::Back),
-    ("bwt", Region::Pelvis, End::Back),
-    ("sac", Region::Pelvis, End::Back),
-    ("sacr", Region::Pelvis, End::Back),
-    ("sacrum", Region::Pelvis, End::Back),
-    ("vsac", Region::Pelvis, End::Back),
-    ("clav", Region::Chest, End::Front),
-    ("strn", Region::Chest, End::Front),
-    ("ster", Region::Chest, End::Front),
-    ("sternum", Region::Chest, End::Front),
-    ("c7", Region::Chest, End::Back),
-    ("cv7", Region::Chest, End::Back),
-    ("t10", Region::Chest, End::Back),
-    ("toe", Region::Foot, End::Front),
-    ("toes", Region::Foot, End::Front),
-    ("toebase", Region::Foot, End::Front),
-    ("mt", Region::Foot, End::Front),
-    ("met", Region::Foot, End::Front),
-    ("hee", Region::Foot, End::Back),
-    ("heel", Region::Foot, End::Back),
-    ("hel", Region::Foot, End::Back),
-    ("cal", Region::Foot, End::Back),
-    ("calc", Region::Foot, End::Back),
-    ("ank", Region::Foot, End::Back),
-    ("ankle", Region::Foot, End::Back),
-    ("mal", Region::Foot, End::Back),
-    ("mall", Region::Foot, End::Back),
-];
-
-/// Words for both sides of the trunk, which no step and no gesture carries along; without number behind.
-const SIDES_OF_TRUNK: [&str; 18] = [
-    "asi", "asis", "ias", "fwt", "psi", "psis", "ips", "bwt", "hip", "hjc", "sho", "should", "shoulder", "acr",
-    "acromion", "acromium", "upleg", "femur",
-];
+/// Longer words are none of those that are known.
+const LONGEST: usize = 12;
 
 /// How sides are written. The long words come first: they begin like the short ones.
 const SIDES: [(&str, Side); 4] = [("left", Side::Left), ("right", Side::Right), ("l", Side::Left), ("r", Side::Right)];
 
-/// Two markers on either side of the body, as indices.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Pair {
-    pub(super) left: usize,
-    pub(super) right: usize,
-    /// Whether they are on the trunk, and not on arms, legs or head.
-    pub(super) is_on_trunk: bool,
+/// Where a marker is by a word of laboratories, in lower case.
+fn end_of(word: &[u8]) -> Option<(Region, End)> {
+    Some(match word {
+        b"asi" | b"asis" | b"ias" | b"fwt" => (Region::Pelvis, End::Front),
+        b"psi" | b"psis" | b"ips" | b"bwt" | b"sac" | b"sacr" | b"sacrum" | b"vsac" => (Region::Pelvis, End::Back),
+        b"clav" | b"strn" | b"ster" | b"sternum" => (Region::Chest, End::Front),
+        b"c7" | b"cv7" | b"t10" => (Region::Chest, End::Back),
+        b"toe" | b"toes" | b"toebase" | b"mt" | b"met" => (Region::Foot, End::Front),
+        b"hee" | b"heel" | b"hel" | b"cal" | b"calc" | b"ank" | b"ankle" | b"mal" | b"mall" => {
+            (Region::Foot, End::Back)
+        }
+        _ => return None,
+    })
 }
 
-/// Finds markers whose names differ in nothing but the side. `L` may begin any word: what has no counterpart is no side.
-pub(super) fn pairs<'a>(names: impl Iterator<Item = (usize, &'a str)>) -> Vec<Pair> {
+/// Whether a word in lower case is for both sides of the trunk, which no step and no gesture carries along.
+fn is_on_trunk(word: &[u8]) -> bool {
+    let pelvis = matches!(word, b"asi" | b"asis" | b"ias" | b"fwt" | b"psi" | b"psis" | b"ips" | b"bwt");
+    let hips = matches!(word, b"hip" | b"hjc" | b"upleg" | b"femur");
+    pelvis || hips || matches!(word, b"sho" | b"should" | b"shoulder" | b"acr" | b"acromion" | b"acromium")
+}
+
+/// Finds markers whose names differ in nothing but the side, left and right, as indices: those on the trunk, and where
+/// there are none, all. `L` may begin any word: what has no counterpart is no side.
+pub(super) fn pairs<'a>(names: impl Iterator<Item = (usize, &'a str)> + Clone) -> Vec<[usize; 2]> {
+    let on_trunk = pairs_of(names.clone(), |rest| meaning(rest, |word| is_on_trunk(word).then_some(())).is_some());
+    if on_trunk.is_empty() {
+        pairs_of(names, |_| true)
+    } else {
+        on_trunk
+    }
+}
+
+fn pairs_of<'a>(names: impl Iterator<Item = (usize, &'a str)>, is_wanted: impl Fn(&str) -> bool) -> Vec<[usize; 2]> {
     let mut sides: HashMap<(&str, bool, &str), [Option<usize>; 2]> = HashMap::new();
-    let mut rests = Vec::new();
+    let mut keys = Vec::new();
     for (index, name) in names {
         let (subject, own) = split(name);
-        for (is_behind, (side, rest)) in sides_of(own) {
-            let place = usize::from(side == Side::Right);
+        for (is_behind, (side, rest)) in sides_of(own).filter(|(_, (_, rest))| is_wanted(rest)) {
             let key = (subject, is_behind, rest);
             // Of several of one name, the first counts.
             let both = sides.entry(key).or_insert_with(|| {
-                rests.push(key);
+                keys.push(key);
                 [None; 2]
             });
-            both[place].get_or_insert(index);
+            both[usize::from(side == Side::Right)].get_or_insert(index);
         }
     }
-    let pair = |key: &(&str, bool, &str)| {
+    let pair = |key| {
         let [left, right] = *sides.get(key)?;
-        let is_on_trunk = is_listed(key.2, |word| SIDES_OF_TRUNK.iter().any(|known| known.eq_ignore_ascii_case(word)));
-        Some(Pair { left: left?, right: right?, is_on_trunk })
+        Some([left?, right?])
     };
-    rests.iter().filter_map(pair).collect()
+    keys.iter().filter_map(pair).collect()
 }
 
 /// Returns at which end of which region a marker of that name is; `None` for all others.
 pub(super) fn end(name: &str) -> Option<(Region, End)> {
     let (_, own) = split(name);
-    let known = |own: &str| {
-        let mut found = None;
-        is_listed(own, |word| {
-            found = WORDS.iter().find(|(known, ..)| known.eq_ignore_ascii_case(word));
-            found.is_some()
-        });
-        found.map(|(_, region, end)| (*region, *end))
-    };
-    known(own).or_else(|| sides_of(own).find_map(|(_, (_, rest))| known(rest)))
+    meaning(own, end_of).or_else(|| sides_of(own).find_map(|(_, (_, rest))| meaning(rest, end_of)))
 }
 
-/// Asks for the first word of a name as it is, and without the number behind it.
-fn is_listed(own: &str, mut is_known: impl FnMut(&str) -> bool) -> bool {
-    let word = own.split(|c: char| !c.is_alphanumeric()).next().unwrap_or(own);
-    let bare = word.trim_end_matches(|c: char| c.is_ascii_digit());
-    is_known(word) || (bare.len() < word.len() && is_known(bare))
+/// Asks what the first word of a name means, as it is, and without the number behind it.
+fn meaning<T>(own: &str, of: impl Fn(&[u8]) -> Option<T>) -> Option<T> {
+    let word = own.split(|c: char| !c.is_alphanumeric()).next()?.as_bytes();
+    let mut lower = [0; LONGEST];
+    let lower = lower.get_mut(..word.len())?;
+    lower.copy_from_slice(word);
+    lower.make_ascii_lowercase();
+    let mut bare: &[u8] = lower;
+    while let [rest @ .., b'0'..=b'9'] = bare {
+        bare = rest;
+    }
+    of(lower).or_else(|| of(bare))
 }
 
 /// Splits a name into subject and own name.
@@ -157,30 +137,31 @@ mod tests {
 
     #[test]
     fn names_that_differ_in_the_side_alone_are_a_pair() {
-        let table = [
-            ("LASI RASI", true),
-            ("L.ASIS R.ASIS", true),
-            ("l_asis r_asis", true),
-            ("A:ASISl A:ASISr", true),
-            ("LeftShoulder RightShoulder", true),
-            ("should.L should.R", true),
-            ("hip_left hip_right", true),
-            ("LWRA RWRA", false),
-            ("KneeL KneeR", false),
-        ];
-        for (names, is_on_trunk) in table {
-            let found = pairs(names.split(' ').enumerate());
-            assert_eq!(found, [Pair { left: 0, right: 1, is_on_trunk }], "{names}");
+        for names in [
+            "LASI RASI",
+            "L.ASIS R.ASIS",
+            "l_asis r_asis",
+            "A:ASISl A:ASISr",
+            "LeftShoulder RightShoulder",
+            "should.L should.R",
+            "hip_left hip_right",
+            "LWRA RWRA",
+            "KneeL KneeR",
+        ] {
+            assert_eq!(pairs(names.split(' ').enumerate()), [[0, 1]], "{names}");
         }
+        let none: [[usize; 2]; 0] = [];
         for names in ["LASI RPSI", "A:LASI B:RASI", "L R", "LBAK", "ARML ARMR", "ARMl ARMm", "Left Right", "é ß"] {
-            assert_eq!(pairs(names.split(' ').enumerate()), [], "{names}");
+            assert_eq!(pairs(names.split(' ').enumerate()), none, "{names}");
         }
     }
 
     #[test]
-    fn of_several_of_one_name_the_first_is_taken() {
+    fn pairs_on_the_trunk_go_before_others_and_the_first_of_one_name_before_the_next() {
         let names = ["RKNE", "LKNE", "RKNE", "LKNE"];
-        assert_eq!(pairs(names.into_iter().enumerate()), [Pair { left: 1, right: 0, is_on_trunk: false }]);
+        assert_eq!(pairs(names.into_iter().enumerate()), [[1, 0]]);
+        let names = ["RKNE", "LKNE", "RASI", "LASI"];
+        assert_eq!(pairs(names.into_iter().enumerate()), [[3, 2]]);
     }
 
     #[test]

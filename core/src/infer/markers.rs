@@ -1,14 +1,15 @@
 //! Which way markers face: by their names, and by the way they walk.
 
-use super::marker_names::{end, pairs, End, Pair, Region};
+use super::marker_names::{end, pairs, End, Region};
 use super::stance::{nearest_axis, usual_facing, ALONG_AXIS, MOST_OF_THE_TIME, UPRIGHT};
 use super::Answer;
 use crate::markers::scale::{axis_name, frames_to_look_at};
 use crate::markers::{Markers, PointKind};
 use glam::DVec3;
 
-/// So many pairs, markers before and behind, and markers that walk are looked at.
-const MOST: usize = 32;
+/// So many pairs, markers before and behind, and markers that walk are looked at, each on every second of the frames that
+/// say how large markers are.
+const MOST: usize = 24;
 
 /// Within this cosine two signs say the same: 45 degrees.
 const AGREED: f64 = 0.7;
@@ -22,9 +23,8 @@ const STRAIGHT: f64 = 0.75;
 /// Works out the axis towards which markers look. Certain is only what two signs say, and most of the time: left and
 /// right, front and back, the way of walking.
 pub(crate) fn facing(markers: &Markers) -> Answer<DVec3> {
-    let signs = Signs::of(markers);
-    let walk = signs.walk();
-    let [sides, ends] = [Heading::of(&signs.sides), Heading::of(&signs.ends)];
+    let places = Places(markers);
+    let [sides, ends] = places.headings();
     let (heading, why) = match (&sides, &ends) {
         (Some(sides), Some(ends)) if sides.mean.dot(ends.mean) >= AGREED => {
             (sides, "by the names of left and right, and of front and back")
@@ -39,26 +39,25 @@ pub(crate) fn facing(markers: &Markers) -> Answer<DVec3> {
         (None, None) => {
             let usual = || unsure(usual_facing(markers.up.axis), "as in most files: neither names nor a walk say it");
             let walks = |way| unsure(axis_of(way), "the way it walks; the names of the markers do not say");
-            return walk.map_or_else(usual, walks);
+            return places.walk().map_or_else(usual, walks);
         }
     };
     if !heading.is_steady {
         return unsure(axis_of(heading.first), &format!("{why}, on the first frame: it does not stay so"));
     }
     let axis = axis_of(heading.mean);
-    let agrees = walk.map(|way| way.dot(heading.mean) >= AGREED);
     if axis.dot(heading.mean) < ALONG_AXIS {
         unsure(axis, &format!("{why}, though not quite"))
     } else if !markers.up.is_certain {
         unsure(axis, &format!("{why}, if {} is up", axis_name(markers.up.axis)))
     } else if sides.is_some() && ends.is_some() {
         Answer::certain(axis, format!("{}, {why}", axis_name(axis)))
-    } else if agrees == Some(true) {
-        Answer::certain(axis, format!("{}, {why}, and by the way it walks", axis_name(axis)))
-    } else if agrees == Some(false) {
-        unsure(axis, &format!("{why}, but it walks another way"))
     } else {
-        unsure(axis, &format!("{why} alone"))
+        match places.walk().map(|way| way.dot(heading.mean) >= AGREED) {
+            Some(true) => Answer::certain(axis, format!("{}, {why}, and by the way it walks", axis_name(axis))),
+            Some(false) => unsure(axis, &format!("{why}, but it walks another way")),
+            None => unsure(axis, &format!("{why} alone")),
+        }
     }
 }
 
@@ -88,64 +87,69 @@ impl Heading {
     }
 }
 
-/// What frames spread over a recording show.
-#[derive(Default)]
-struct Signs {
-    /// To the front of left and right; unit vectors, of frames that show it.
-    sides: Vec<DVec3>,
-    /// From back to front; unit vectors, of frames that show it.
-    ends: Vec<DVec3>,
-    /// From each frame to the next, level.
-    steps: Vec<DVec3>,
-    /// How far the markers of the first frame are apart, upward.
-    height: f64,
-}
+/// Where markers are on frames spread over a recording.
+struct Places<'a>(&'a Markers);
 
-impl Signs {
-    fn of(markers: &Markers) -> Self {
-        let up = markers.up.axis;
-        let is_position = |index: &usize| markers.kinds.get(*index) == Some(&PointKind::Position);
-        let places: Vec<usize> = (0..markers.count()).filter(is_position).collect();
-        let names = || places.iter().filter_map(|index| Some((*index, markers.names.get(*index)?.as_str())));
-        let mut pairs = pairs(names());
-        if pairs.iter().any(|pair| pair.is_on_trunk) {
-            pairs.retain(|pair| pair.is_on_trunk);
-        }
+impl Places<'_> {
+    /// Returns the markers that are positions, as indices.
+    fn positions(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        (0..self.0.count()).filter(|index| self.0.kinds.get(*index) == Some(&PointKind::Position))
+    }
+
+    fn frames(&self) -> impl Iterator<Item = usize> {
+        frames_to_look_at(self.0.frame_count()).step_by(2)
+    }
+
+    fn at(&self, index: usize, frame: usize) -> Option<DVec3> {
+        self.0.positions.get(index, frame).filter(|at| at.is_finite() && *at != DVec3::ZERO)
+    }
+
+    fn level(&self, v: DVec3) -> DVec3 {
+        let up = self.0.up.axis;
+        v - up * v.dot(up)
+    }
+
+    /// Returns where the front is by left and right, and by front and back.
+    fn headings(&self) -> [Option<Heading>; 2] {
+        let names = self.positions().filter_map(|index| Some((index, self.0.names.get(index)?.as_str())));
+        let mut pairs = pairs(names.clone());
         pairs.truncate(MOST);
-        let ends: Vec<_> = names().filter_map(|(index, name)| Some((index, end(name)?))).take(MOST).collect();
-        let walkers: Vec<usize> = places.iter().step_by(places.len().div_ceil(MOST).max(1)).copied().collect();
-        let level = |v: DVec3| v - up * v.dot(up);
-        let mut signs = Self::default();
-        let mut before: Vec<Option<DVec3>> = Vec::new();
-        for frame in frames_to_look_at(markers.frame_count()) {
-            let at = |index| markers.positions.get(index, frame).filter(|at| at.is_finite() && *at != DVec3::ZERO);
-            signs.sides.extend(level(leftward(&pairs, at)).cross(up).try_normalize());
-            signs.ends.extend(level(forward(&ends, at)).try_normalize());
-            let now: Vec<_> = walkers.iter().map(|index| at(*index)).collect();
-            let steps = before.iter().zip(&now).filter_map(|(before, now)| Some((*now)? - (*before)?));
-            signs.steps.extend(mean(steps).map(level));
-            if signs.height == 0.0 {
-                let heights = || now.iter().flatten().map(|at| at.dot(up));
-                let height = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
-                signs.height = height.max(0.0);
-            }
-            before = now;
-        }
-        signs
+        let ends: Vec<_> = names.filter_map(|(index, name)| Some((index, end(name)?))).take(MOST).collect();
+        let by_sides = |frame| {
+            let left = leftward(&pairs, |index| self.at(index, frame));
+            self.level(left).cross(self.0.up.axis).try_normalize()
+        };
+        let by_ends = |frame| self.level(forward(&ends, |index| self.at(index, frame))).try_normalize();
+        let (sides, ends): (Vec<_>, Vec<_>) = self.frames().map(|frame| (by_sides(frame), by_ends(frame))).unzip();
+        [sides, ends].map(|directions| Heading::of(&directions.into_iter().flatten().collect::<Vec<_>>()))
     }
 
     /// Returns the way of a straight walk; a unit vector.
     fn walk(&self) -> Option<DVec3> {
-        let way: DVec3 = self.steps.iter().sum();
-        let length: f64 = self.steps.iter().map(|step| step.length()).sum();
-        let walks = self.height > 0.0 && way.length() >= WALK * self.height && way.length() >= STRAIGHT * length;
+        let every = self.positions().count().div_ceil(MOST).max(1);
+        let walkers: Vec<usize> = self.positions().step_by(every).collect();
+        let frames = self.frames().map(|frame| walkers.iter().map(|index| self.at(*index, frame)).collect());
+        let frames: Vec<Vec<Option<DVec3>>> = frames.collect();
+        let step = |pair: &[Vec<Option<DVec3>>]| {
+            let [before, after] = pair else { return None };
+            mean(before.iter().zip(after).filter_map(|(before, after)| Some((*after)? - (*before)?)))
+        };
+        let steps: Vec<DVec3> = frames.windows(2).filter_map(step).map(|step| self.level(step)).collect();
+        let height = |frame: &Vec<Option<DVec3>>| {
+            let heights = || frame.iter().flatten().map(|at| at.dot(self.0.up.axis));
+            heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+        };
+        let height = frames.iter().map(height).fold(0.0, f64::max);
+        let way: DVec3 = steps.iter().sum();
+        let length: f64 = steps.iter().map(|step| step.length()).sum();
+        let walks = height > 0.0 && way.length() >= WALK * height && way.length() >= STRAIGHT * length;
         way.try_normalize().filter(|_| walks)
     }
 }
 
 /// Returns the way from right to left, all pairs together.
-fn leftward(pairs: &[Pair], at: impl Fn(usize) -> Option<DVec3>) -> DVec3 {
-    pairs.iter().filter_map(|pair| Some(at(pair.left)? - at(pair.right)?)).sum()
+fn leftward(pairs: &[[usize; 2]], at: impl Fn(usize) -> Option<DVec3>) -> DVec3 {
+    pairs.iter().filter_map(|[left, right]| Some(at(*left)? - at(*right)?)).sum()
 }
 
 /// Returns the way from back to front, all regions together.
