@@ -133,11 +133,11 @@ impl Clip {
         }
     }
 
-    /// Takes markers and what the user should know of them, and says what was inferred.
+    /// Takes markers and what the user should know of them, and says what was inferred, but for
+    /// [`Clip::facing_notice`].
     pub(crate) fn of_markers(format: Format, (markers, mut notices): (Markers, Vec<String>)) -> Self {
         notices.push(format!("Length unit: {}", markers.unit.reason));
         notices.push(format!("Up axis: {}", markers.up.reason));
-        notices.push(format!("Facing: {}", markers.facing().reason));
         Self { markers: Some(Arc::new(markers)), notices, ..Self::new(format) }
     }
 
@@ -178,6 +178,11 @@ impl Clip {
     pub fn skeleton_to_bytes(&self) -> Vec<u8> {
         let hierarchy = || self.bvh.as_ref().map(|bvh| Bvh::new(bvh.joints.clone(), None).to_bytes());
         self.asf.as_ref().map(Asf::to_bytes).or_else(hierarchy).unwrap_or_default()
+    }
+
+    /// Works out which way markers face, as a notice: for those who show it, and not for each file that is read.
+    pub fn facing_notice(&self) -> Option<String> {
+        Some(format!("Facing: {}", self.markers.as_ref()?.facing().reason))
     }
 
     /// Returns the names of the bones or markers, in file order.

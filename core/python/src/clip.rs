@@ -81,7 +81,7 @@ impl PyClip {
 
     #[getter]
     fn notices(&self) -> Vec<String> {
-        self.clip.notices.clone()
+        self.clip.notices.iter().cloned().chain(self.clip.facing_notice()).collect()
     }
 
     #[getter]
