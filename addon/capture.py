@@ -43,8 +43,8 @@ class Options:
     @property
     def of_markers(self) -> dict[str, Any]:
         """The part that `markers.import_markers` takes."""
-        names = ("scale", "up", "rate", "rate_hz", "scene_range", "with_lines", "with_events", "with_analog")
-        return {name: getattr(self, name) for name in names}
+        others = ("target", "bone_style")
+        return {name: getattr(self, name) for name in self.__dataclass_fields__ if name not in others}
 
 
 @dataclass

@@ -83,12 +83,12 @@ UP_AXES = (
 )
 FORWARD_AXES = (
     ("FILE", "As in the File", "Leave the figure turned as it is in the file"),
-    ("X", "X", "The figure looks along the X axis of the file in its rest pose, and comes to face the viewer"),
-    ("Y", "Y", "The figure looks along the Y axis of the file in its rest pose, and comes to face the viewer"),
-    ("Z", "Z", "The figure looks along the Z axis of the file in its rest pose, and comes to face the viewer"),
-    ("-X", "-X", "The figure looks against the X axis of the file in its rest pose, and comes to face the viewer"),
-    ("-Y", "-Y", "The figure looks against the Y axis of the file in its rest pose, and comes to face the viewer"),
-    ("-Z", "-Z", "The figure looks against the Z axis of the file in its rest pose, and comes to face the viewer"),
+    ("X", "X", "The figure looks along the X axis of the file, and comes to face the viewer"),
+    ("Y", "Y", "The figure looks along the Y axis of the file, and comes to face the viewer"),
+    ("Z", "Z", "The figure looks along the Z axis of the file, and comes to face the viewer"),
+    ("-X", "-X", "The figure looks against the X axis of the file, and comes to face the viewer"),
+    ("-Y", "-Y", "The figure looks against the Y axis of the file, and comes to face the viewer"),
+    ("-Z", "-Z", "The figure looks against the Z axis of the file, and comes to face the viewer"),
 )
 BONE_STYLES = (
     ("POINT", "Point to Child", "Let each bone point to its child and key rotations as quaternions"),
@@ -282,7 +282,7 @@ class MotionStack(PropertyGroup):
     )
     forward: EnumProperty(
         name="Forward",
-        description="The axis of the file along which the figure looks",
+        description="The axis of the file along which the figure looks, in its rest pose where it has one",
         items=FORWARD_AXES,
         override=OVERRIDABLE,
     )

@@ -67,8 +67,8 @@ def _described(loaded: sources.Loaded, skeleton: motion_theater.Skeleton, count:
     """Return what was imported, in one line: bones, axes, and the rate of a motion."""
     name = base_name(loaded.clip.path) or "the default skeleton"
     parts = [f"Imported {name}: {bones(count)}", f"{up} up"]
+    facing = motion_theater.infer(skeleton, loaded.clip.motion).facing
+    parts.append(f"{'' if facing.is_certain else 'probably '}facing {axes.nearest_axis(facing.value)}")
     if sources.has_own_skeleton(loaded):
-        facing = motion_theater.infer(skeleton, loaded.clip.motion).facing
-        parts.append(f"{'' if facing.is_certain else 'probably '}facing {axes.nearest_axis(facing.value)}")
         parts.append(f"{loaded.clip.rate_hz:.6g} Hz" if loaded.clip.rate_hz else "rate not known")
     return ", ".join(parts)

@@ -8,28 +8,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import axes
+
 Floats = NDArray[np.floating[Any]]
 Flags = NDArray[np.bool_]
 
-UPRIGHT: dict[str, tuple[tuple[int, float], tuple[int, float], tuple[int, float]]] = {
-    "X": ((2, -1.0), (1, 1.0), (0, 1.0)),
-    "Y": ((0, 1.0), (2, -1.0), (1, 1.0)),
-    "Z": ((0, 1.0), (1, 1.0), (2, 1.0)),
-    "-X": ((2, 1.0), (1, 1.0), (0, -1.0)),
-    "-Y": ((0, 1.0), (2, 1.0), (1, -1.0)),
-    "-Z": ((0, 1.0), (1, -1.0), (2, -1.0)),
-}
-"""For each axis that may point up: from which of the file's axes Blender's X, Y and Z are taken, with their signs.
-
-These are the turns that skeletons get too; only moving numbers about, they cost no digit.
-"""
 SAME_SAMPLE = 1e-6  # samples from a whole frame to its nearest sample that count as none
 
 
-def up_name(up: tuple[float, float, float]) -> str:
-    """Return the name in `UPRIGHT` of the axis that is nearest to a direction."""
-    axis = int(np.argmax(np.abs(up)))
-    return ("-" if up[axis] < 0.0 else "") + "XYZ"[axis]
+def from_axes(up: str, forward: str = axes.AS_IN_FILE) -> tuple[tuple[int, float], ...]:
+    """Return from which of the file's axes Blender's X, Y and Z are taken, with their signs.
+
+    These are the turns that skeletons get too; only moving numbers about, they cost no digit.
+    """
+    turned = axes.rotate(axes.to_blender(up, forward), np.eye(3))
+    sources = np.abs(turned).argmax(axis=0)
+    return tuple((int(axis), float(np.sign(turned[axis, component]))) for component, axis in enumerate(sources))
 
 
 @dataclass(frozen=True)
@@ -111,10 +105,10 @@ def around(
     return samples[before], samples[np.clip(np.searchsorted(samples, frames, "left"), 0, last)]
 
 
-def as_in_file(positions: NDArray[np.float64], up: str) -> NDArray[np.float64]:
-    """Return (..., 3) positions of Blender in the axes of a file in which the axis `up` points up."""
+def as_in_file(positions: NDArray[np.float64], up: str, forward: str = axes.AS_IN_FILE) -> NDArray[np.float64]:
+    """Return (..., 3) positions of Blender in the axes of a file that was imported with these."""
     turned = np.empty_like(positions)
-    for component, (axis, sign) in enumerate(UPRIGHT[up]):
+    for component, (axis, sign) in enumerate(from_axes(up, forward)):
         turned[..., axis] = positions[..., component] * sign
     return turned
 

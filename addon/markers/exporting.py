@@ -89,6 +89,7 @@ def _of_set(context: Context, ob: Object, request: Request) -> Recording:
     unit_m = lies.unit_m * context.scene.unit_settings.scale_length
     known_unit = next((known for known in NAMED_UNITS_M if abs(unit_m / known - 1.0) < SAME_UNIT), UNIT_M)
     up = lies.up if request.up == "AUTO" and request.kind != "csm" else request.up
+    forward = lies.forward if up == lies.up else axes.AS_IN_FILE
     first = lies.first_frame + (request.start - lies.first_frame) * rate_hz / scene_hz
     frames = exporting.frames_between(request.start, request.end, scene_hz / max(rate_hz, own_hz))
     points = places.of_set(context, ob, bones, frames)
@@ -100,7 +101,7 @@ def _of_set(context: Context, ob: Object, request: Request) -> Recording:
         context,
         [file_names.get(bone, bone) for bone in bones],
         points,
-        _Lie(request, max(rate_hz, own_hz), rate_hz, first, up, request.unit_m or known_unit),
+        _Lie(request, max(rate_hz, own_hz), rate_hz, first, up, request.unit_m or known_unit, forward),
         found,
     )
     result = Recording(made)
@@ -164,6 +165,7 @@ class _Lie:
     first: float
     up: str
     unit_m: float
+    forward: str = axes.AS_IN_FILE
 
 
 def _markers(
@@ -172,7 +174,7 @@ def _markers(
     """Return points in the world, sampled from the first frame on, as the markers of a file."""
     up = UP[lie.request.kind] if lie.up == "AUTO" else lie.up
     scale = context.scene.unit_settings.scale_length / lie.unit_m
-    positions = trajectories.as_in_file(points, up) * scale
+    positions = trajectories.as_in_file(points, up, lie.forward) * scale
     if lie.rate_hz < lie.sampled_hz:
         finer = motion_theater.Markers(file_names, np.ascontiguousarray(positions), rate_hz=lie.sampled_hz)
         positions = finer.resampled(lie.rate_hz).positions.astype(np.float64, copy=False)

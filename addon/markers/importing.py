@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from .. import compat, scene, sources
-from ..logic import names, trajectories
+from ..logic import axes, names, trajectories
 from ..logic.extent import ASSUMED_RATE_HZ
 from ..logic.messages import UserError, base_name, counted, frame_range, sentences
 from ..logic.rates import usual
@@ -36,13 +36,14 @@ def import_markers(
     scene_range: Choice = "EXTEND",
     scale: float = 1.0,
     up: str = "AUTO",
+    forward: str = axes.AS_IN_FILE,
     with_lines: bool = False,
     with_events: bool = False,
     with_analog: bool = False,
 ) -> str:
     """Make a marker set of a clip with markers; return the message for the user.
 
-    `rate_hz` goes before the file's own rate, `up` is a name of `trajectories.UPRIGHT`. Run inside
+    `rate_hz` goes before the file's own rate, `up` and `forward` are axes of the file. Run inside
     `scene.unchanged_on_error`.
     """
     chosen, told = _points(clip)
@@ -60,13 +61,14 @@ def import_markers(
     if abs(sampling.frames[0]) > FRAME_LIMIT or abs(sampling.frames[-1]) > FRAME_LIMIT:
         raise UserError(f"{base_name(clip.path)} ends on frame {sampling.frames[-1]:.0f}, beyond Blender's last one")
     unit = recorded.unit_m * scale / context.scene.unit_settings.scale_length
-    chosen_up = trajectories.up_name(recorded.up) if up == "AUTO" else up
+    chosen_up = axes.nearest_axis(recorded.up) if up == "AUTO" else up
 
-    ob, bones, dropped = _make(context, clip, chosen, sampling, unit, chosen_up)
+    ob, bones, dropped = _make(context, clip, chosen, sampling, unit, trajectories.from_axes(chosen_up, forward))
     remembered = properties.of(ob)
     remembered.source = sources.full_path(clip.path)
     remembered.names = names.encode_pairs(zip((recorded.names[at] for at in chosen), bones, strict=True))
-    remembered.unit_m, remembered.up, remembered.rate_hz = unit, chosen_up, rate_hz
+    remembered.unit_m, remembered.rate_hz = unit, rate_hz
+    remembered.up, remembered.forward = chosen_up, forward
     remembered.first_frame, remembered.frame_step = recorded.first_frame, step
     remembered.key_step = step if rate == "SAMPLES" else 1.0
 
@@ -79,7 +81,7 @@ def import_markers(
     scene.apply_range(context.scene, scene_range, float(sampling.frames[0]), float(sampling.frames[-1]))
     first = f"Imported {base_name(clip.path)}: {counted(len(bones), 'marker')}"
     span = frame_range(float(sampling.frames[0]), float(sampling.frames[-1]))
-    message = sentences([f"{first}, {span}", dropped, *told, *_inferred(clip, scale, up)])
+    message = sentences([f"{first}, {span}", dropped, *told, *_inferred(clip, scale, up, forward)])
     remembered.message = message
     return message
 
@@ -107,7 +109,7 @@ def _make(
     chosen: list[int],
     sampling: trajectories.Sampling,
     unit: float,
-    up: str,
+    from_axis: tuple[tuple[int, float], ...],
 ) -> tuple[Object, list[str], str]:
     """Make armature and curves; return the armature, its bones, and what is to be said about dropouts."""
     recorded = clip.markers
@@ -116,7 +118,6 @@ def _make(
         positions, valid = positions[chosen], valid[chosen]
     if np.isinf(positions).any():  # a damaged file; Blender would draw nothing at all
         valid &= np.isfinite(positions).all(axis=2)
-    from_axis = trajectories.UPRIGHT[up]
     places = trajectories.rest_places(positions, valid)
     places = np.stack([places[:, axis] * (sign * unit) for axis, sign in from_axis], axis=1)
     ob, bones = build.build(context, PurePath(base_name(clip.path)).stem, [recorded.names[at] for at in chosen], places)
@@ -145,11 +146,13 @@ def _dropouts(gaps: int, markers: int) -> str:
     return f"{counted(gaps, 'gap')} in {counted(markers, 'marker')}" if gaps else ""
 
 
-def _inferred(clip: motion_theater.Clip, scale: float, up: str) -> list[str]:
+def _inferred(clip: motion_theater.Clip, scale: float, up: str, forward: str) -> list[str]:
     """Return what was inferred, with reasons: the file's own notices, but for what the user chose instead."""
-    chosen = [f"Up axis: {up}, as you chose"] if up != "AUTO" else []
-    chosen += [f"Scaled by {scale:g}"] if scale != 1.0 else []
-    return chosen + [notice for notice in clip.notices if up == "AUTO" or not notice.startswith("Up axis")]
+    told = [f"Up axis: {up}, as you chose"] if up != "AUTO" else []
+    told += [f"Facing: {forward}, as you chose"] if forward != axes.AS_IN_FILE else []
+    told += [f"Scaled by {scale:g}"] if scale != 1.0 else []
+    is_stale = ("Up axis", "Facing") if up != "AUTO" else ("Facing",) if forward != axes.AS_IN_FILE else ()
+    return told + [notice for notice in clip.notices if not notice.startswith(is_stale)]
 
 
 def _pairs(recorded: motion_theater.Markers, chosen: list[int]) -> list[tuple[int, int]]:

@@ -8,6 +8,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty, PointerProperty, StringProperty
 from bpy.types import PropertyGroup
 
+from ..logic.axes import AS_IN_FILE
 from ..properties import LONGEST_GAP, OVERRIDABLE
 
 if TYPE_CHECKING:
@@ -34,6 +35,12 @@ class MarkerSet(PropertyGroup):
         name="Length Unit", description="Scene units per unit of length of the file", override=OVERRIDABLE
     )
     up: StringProperty(name="Up", description="The axis of the file that points up", override=OVERRIDABLE)
+    forward: StringProperty(
+        name="Forward",
+        description="The axis of the file that was turned to the viewer",
+        default=AS_IN_FILE,
+        override=OVERRIDABLE,
+    )
     rate_hz: FloatProperty(name="Rate", description="Samples of the markers per second", override=OVERRIDABLE)
     first_frame: IntProperty(
         name="First Frame",

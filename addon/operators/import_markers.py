@@ -21,7 +21,7 @@ UP_AXES = (
     ("-Y", "-Y", "The Y axis of the file points down"),
     ("-Z", "-Z", "The Z axis of the file points down"),
 )
-GROUPS = (("scale", "up"), ("rate", "rate_hz", "scene_range"), ("with_lines", "with_events", "with_analog"))
+GROUPS = (("scale", "up", "forward"), ("rate", "rate_hz", "scene_range"), ("with_lines", "with_events", "with_analog"))
 """What stands together in the dialog."""
 
 
@@ -38,6 +38,11 @@ class MOTION_THEATER_OT_import_markers(
     filepath: import_file.path()
     filter_glob: StringProperty(default="*.c3d;*.csm;*.trc", options={"HIDDEN"})
     up: EnumProperty(name="Up", description="The axis of the file that points up", items=UP_AXES, default="AUTO")
+    forward: EnumProperty(
+        name="Forward",
+        description="The axis of the file along which the figure looks",
+        items=properties.FORWARD_AXES,
+    )
     with_lines: BoolProperty(
         name="Lines", description="Draw lines between neighboring markers that keep their distance", default=False
     )
@@ -63,6 +68,7 @@ class MOTION_THEATER_OT_import_markers(
                 scene_range=self.scene_range,
                 scale=self.scale,
                 up=self.up,
+                forward=self.forward,
                 with_lines=self.with_lines,
                 with_events=self.with_events,
                 with_analog=self.with_analog,

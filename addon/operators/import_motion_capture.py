@@ -52,7 +52,7 @@ class MOTION_THEATER_OT_import_motion_capture(
     )
     forward: EnumProperty(
         name="Forward",
-        description="The axis of the file along which the figure looks",
+        description="The axis of the file along which the figure looks, in its rest pose where it has one",
         items=properties.FORWARD_AXES,
     )
     bone_style: EnumProperty(name="Bones", description="How the bones are oriented", items=properties.BONE_STYLES)

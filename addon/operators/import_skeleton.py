@@ -34,7 +34,9 @@ class MOTION_THEATER_OT_import_skeleton(bpy.types.Operator, import_file.SizeOpti
         default="AUTO",
     )
     forward: EnumProperty(
-        name="Forward", description="The axis of the file along which the figure looks", items=FORWARD_AXES
+        name="Forward",
+        description="The axis of the file along which the figure looks, in its rest pose where it has one",
+        items=FORWARD_AXES,
     )
     bone_style: EnumProperty(name="Bones", description="How the bones are oriented", items=BONE_STYLES)
     limits_as_constraints: BoolProperty(

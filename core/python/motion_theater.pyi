@@ -253,6 +253,8 @@ class Markers:
     analog: list[AnalogChannel]
     analog_samples_per_frame: int
 
+    def facing(self) -> Answer:
+        """The axis towards which the figure looks, in file axes: most of the time, or on the first frame where it turns."""
     def gaps(self) -> list[tuple[int, int, int]]:
         """Marker, first frame and frame after the last, counted from 0, of every gap between two samples."""
     def filled(

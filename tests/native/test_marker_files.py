@@ -253,3 +253,23 @@ def test_markers_written_as_text_are_where_they_were(name: str, extension: Liter
 def test_an_empty_file_is_met_with_words() -> None:
     with pytest.raises(mt.ParseError, match="an empty file"):
         mt.read_bytes(b"", name="empty.c3d")
+
+
+@pytest.mark.parametrize("name", EVERY_FILE)
+def test_which_way_markers_face_comes_with_a_reason(name: str) -> None:
+    clip, markers = read(name)
+    facing = markers.facing()
+    assert f"Facing: {facing.reason}" in clip.notices
+    assert np.dot(facing.value, markers.up) == 0
+    assert np.linalg.norm(facing.value) == 1
+
+
+def test_a_walk_to_the_positive_end_of_x_faces_there() -> None:
+    if not SHARED.is_dir():
+        return
+    _, markers = read("c3d/cmu_02_01.c3d")
+    pelvis = np.nanmean(markers.positions[[name.endswith("FWT") for name in markers.names]], axis=0)
+    assert pelvis[-1, 0] - pelvis[0, 0] > 2000  # millimetres
+    facing = markers.facing()
+    assert (facing.value, facing.is_certain) == ((1, 0, 0), True)
+    assert "names of left and right" in facing.reason

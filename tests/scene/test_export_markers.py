@@ -163,6 +163,13 @@ def test_up_and_unit_are_chosen(tmp_path: Path, up: str) -> None:
         assert np.abs(shown(back, frame) - shown(ob, frame)).max() <= TOLERANCE_M
 
 
+@pytest.mark.parametrize(("up", "forward"), [("Z", "X"), ("Y", "-X"), ("-X", "Y")])
+def test_a_set_that_was_turned_to_the_viewer_is_written_as_in_its_file(tmp_path: Path, up: str, forward: str) -> None:
+    import_markers(written(tmp_path), rate="SCENE", up=up, forward=forward)
+    original = in_metres(motion_theater.read(tmp_path / "walk.c3d").markers)
+    assert_same(exported(tmp_path), original)
+
+
 def test_range_and_rate_are_chosen(tmp_path: Path) -> None:
     import_markers(written(tmp_path), rate="SCENE", with_events=True)
     original = in_metres(motion_theater.read(tmp_path / "walk.c3d").markers)

@@ -12,6 +12,7 @@ import pytest
 import motion_theater
 from tests import harness
 
+axes = harness.module("logic.axes")
 trajectories = harness.module("logic.trajectories")
 FORMATS = ("c3d", "csm", "trc")
 REAL = sorted(
@@ -64,7 +65,7 @@ def expected(markers: motion_theater.Markers) -> np.ndarray:
     points = markers.positions[chosen].astype(np.float64) * markers.unit_m
     x, y, z = np.moveaxis(points, -1, 0)
     turned = {"X": (-z, y, x), "Y": (x, -z, y), "Z": (x, y, z), "-X": (z, y, -x), "-Y": (x, z, -y), "-Z": (x, -y, -z)}
-    return np.stack(turned[trajectories.up_name(markers.up)], axis=-1)
+    return np.stack(turned[axes.nearest_axis(markers.up)], axis=-1)
 
 
 def shown(ob: bpy.types.Object, frame: float) -> np.ndarray:
@@ -157,6 +158,32 @@ def test_the_axis_that_the_user_chooses_points_up(tmp_path: Path, up: str) -> No
     assert np.abs(lengths[0] - lengths[1]).max() < 1e-5
     turned = [np.linalg.det(points[1:4] - points[0]) for points in (places, raw)]
     assert turned[0] == pytest.approx(turned[1], abs=1e-5)  # turned, not mirrored
+
+
+@pytest.mark.parametrize(("up", "forward"), [("Z", "X"), ("Z", "-Y"), ("Y", "-X"), ("-X", "Z"), ("Z", "Z")])
+def test_the_axis_along_which_the_user_says_it_looks_comes_to_the_viewer(tmp_path: Path, up: str, forward: str) -> None:
+    ob = import_markers(written(tmp_path, with_gaps=False), up=up, forward=forward, rate="SCENE")
+    raw = positions()[:, 0] * 0.001
+    along = {axis: raw[:, "XYZ".index(axis[-1])] * (-1 if axis[0] == "-" else 1) for axis in (up, forward)}
+    places = shown(ob, 1)
+    assert np.abs(places[:, 2] - along[up]).max() < 1e-5
+    if up != forward:  # nobody looks upward: then nothing is turned
+        assert np.abs(-places[:, 1] - along[forward]).max() < 1e-5
+    turned = [np.linalg.det(points[1:4] - points[0]) for points in (places, raw)]
+    assert turned[0] == pytest.approx(turned[1], abs=1e-5)
+    message = ob.motion_theater_markers.message
+    assert f"Facing: {forward}, as you chose" in message
+    assert message.count("Facing") == 1
+
+
+def test_what_the_file_says_of_itself_is_said_with_reasons_until_the_user_chooses(tmp_path: Path) -> None:
+    path = written(tmp_path)
+    facing = motion_theater.read(path).markers.facing()
+    assert f"Facing: {facing.reason}" in import_markers(path).motion_theater_markers.message
+    # Which way is front depends on which way is up.
+    assert "Facing" not in import_markers(path, up="X").motion_theater_markers.message
+    bpy.ops.motion_theater.import_motion_capture(filepath=str(path), forward="X")
+    assert "Facing: X, as you chose" in harness.armature().motion_theater_markers.message
 
 
 def test_names_that_are_alike_or_empty_are_kept_apart(tmp_path: Path) -> None:

@@ -119,7 +119,7 @@ impl Info {
             up: skeleton.map(|skeleton| skeleton.up).or(markers.map(|markers| markers.up.axis)).map(axis_name),
             height_m: skeleton.map(|skeleton| tallness(skeleton) * skeleton.unit.metres),
             skeleton: loaded.pairing.as_ref().and_then(Pairing::path).map(|path| path.display().to_string()),
-            notices: loaded.notices,
+            notices: loaded.notices.into_iter().chain(loaded.clip.facing_notice()).collect(),
             error: None,
         }
     }

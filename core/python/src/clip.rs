@@ -82,7 +82,7 @@ impl PyClip {
 
     #[getter]
     fn notices(&self, py: Python<'_>) -> Vec<String> {
-        py.detach(|| self.clip.notices().to_vec())
+        py.detach(|| self.clip.notices().iter().cloned().chain(self.clip.facing_notice()).collect())
     }
 
     #[getter]

@@ -41,7 +41,7 @@ fn some(answer: Answer<f64>) -> Answer<Option<f64>> {
     Answer { value: Some(answer.value), reason: answer.reason, is_certain: answer.is_certain }
 }
 
-fn direction(py: Python<'_>, answer: Answer<DVec3>) -> PyResult<Py<PyAnswer>> {
+pub fn direction(py: Python<'_>, answer: Answer<DVec3>) -> PyResult<Py<PyAnswer>> {
     let value = <(f64, f64, f64)>::from(answer.value).into_pyobject(py)?.into_any().unbind();
     Py::new(py, PyAnswer { value, reason: answer.reason, is_certain: answer.is_certain })
 }

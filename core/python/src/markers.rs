@@ -18,6 +18,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::inference::{direction, PyAnswer};
 use crate::{errors, filters};
 
 /// Named points over frames.
@@ -249,6 +250,10 @@ impl PyMarkers {
     #[getter]
     fn analog_samples_per_frame(&self) -> usize {
         self.0.analog.samples_per_frame
+    }
+
+    fn facing(&self, py: Python<'_>) -> PyResult<Py<PyAnswer>> {
+        direction(py, py.detach(|| self.0.facing()))
     }
 
     fn gaps(&self, py: Python<'_>) -> Vec<PyGap> {

@@ -46,6 +46,12 @@ pub(super) struct Body {
 impl Body {
     /// Finds a body by names; `None` where there is no pair of legs.
     pub(super) fn find(skeleton: &Skeleton) -> Option<Self> {
+        // Elsewhere, a `LHipJoint` is not where the thigh begins.
+        let of_joint = |name: &str| classify(name.strip_suffix("Joint")?);
+        Self::find_by(skeleton, classify).or_else(|| Self::find_by(skeleton, of_joint))
+    }
+
+    fn find_by(skeleton: &Skeleton, classify: impl Fn(&str) -> Option<(Part, Side)>) -> Option<Self> {
         // The first of several is the one nearest to the root, but for a neck.
         let mut parts: HashMap<(Part, Side), usize> = HashMap::new();
         for (index, bone) in skeleton.bones.iter().enumerate().take(MOST_BONES) {

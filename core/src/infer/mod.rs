@@ -5,6 +5,8 @@
 //! costs an animator more than one look at an honest "perhaps".
 
 mod body;
+mod marker_names;
+pub(crate) mod markers;
 mod names;
 mod stance;
 mod unit;
@@ -14,8 +16,8 @@ use crate::skeleton::{LengthUnit, Skeleton};
 use body::Body;
 use glam::DVec3;
 
-pub(crate) use stance::frames_to_look_at;
-pub(crate) use unit::Reading;
+pub(crate) use stance::{as_usual, frames_to_look_at};
+pub(crate) use unit::{Reading, TYPICAL_PERSON_M};
 
 /// A value that was worked out.
 #[derive(Debug, Clone, PartialEq)]

@@ -15,16 +15,16 @@ const MOST_FRAMES: usize = 16;
 const MOST_BONES: usize = 1_000_000;
 
 /// Nothing is less upright than this cosine: within 37 degrees.
-const UPRIGHT: f64 = 0.8;
+pub(super) const UPRIGHT: f64 = 0.8;
 
 /// The share of a motion that has to be upright for it to say which axis is up.
-const MOST_OF_THE_TIME: f64 = 0.75;
+pub(super) const MOST_OF_THE_TIME: f64 = 0.75;
 
 /// A rest pose stands where head and feet are at least this share of the bones between them apart.
 const STRETCHED: f64 = 0.7;
 
 /// Within this cosine of an axis a direction is meant to be along it: 26 degrees.
-const ALONG_AXIS: f64 = 0.9;
+pub(super) const ALONG_AXIS: f64 = 0.9;
 
 /// Toes point forward where the cosine of that is more than this: feet mostly point down as well.
 const TOES_FORWARD: f64 = 0.3;
@@ -146,17 +146,15 @@ impl<'a> Stances<'a> {
     /// Returns the axis towards which the figure looks. Only a rest pose that stands makes it certain: a motion may begin
     /// in any direction.
     pub(super) fn facing(&self, up: DVec3) -> Answer<DVec3> {
-        let usual = if up.dot(USUAL_FACING) == 0.0 { USUAL_FACING } else { -DVec3::Y * up.dot(USUAL_FACING) };
-        let as_usual = |why: &str| Answer::unsure(usual, format!("{}, as in most files: {why}", axis_name(usual)));
         let standing = self.standing_at_rest().filter(|(axis, _)| *axis == up).map(|(_, rest)| rest);
         let is_upright = |stance: &&Stance| stance.upward.normalize_or_zero().dot(up) >= UPRIGHT;
         let (stance, when) = match (standing, self.frames.first().filter(is_upright)) {
             (Some(rest), _) => (rest, "in the rest pose"),
             (None, Some(first)) => (first, "at the first frame"),
-            (None, None) => return as_usual("the figure does not stand"),
+            (None, None) => return as_usual(up, "the figure does not stand"),
         };
         let forward = stance.leftward.cross(up);
-        let Some((axis, cosine)) = nearest_axis(forward) else { return as_usual("the legs have no sides") };
+        let Some((axis, cosine)) = nearest_axis(forward) else { return as_usual(up, "the legs have no sides") };
         let reason = format!("{}: to the front of the legs {when}", axis_name(axis));
         let toes = stance.forward.normalize_or_zero().dot(forward.normalize_or_zero());
         if toes < -TOES_FORWARD {
@@ -189,8 +187,23 @@ impl Stance {
     }
 }
 
+/// Returns the axis towards which figures look in nearly all files where `up` is up.
+pub(super) fn usual_facing(up: DVec3) -> DVec3 {
+    if up.dot(USUAL_FACING) == 0.0 {
+        USUAL_FACING
+    } else {
+        -DVec3::Y * up.dot(USUAL_FACING)
+    }
+}
+
+/// The answer where nothing says it.
+pub(crate) fn as_usual(up: DVec3, why: &str) -> Answer<DVec3> {
+    let usual = usual_facing(up);
+    Answer::unsure(usual, format!("{}, as in most files: {why}", axis_name(usual)))
+}
+
 /// Returns the signed axis nearest to a direction, and the cosine between them; `None` for no direction.
-fn nearest_axis(direction: DVec3) -> Option<(DVec3, f64)> {
+pub(super) fn nearest_axis(direction: DVec3) -> Option<(DVec3, f64)> {
     let direction = direction.try_normalize()?;
     let axes = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
     let with_cosine = axes.map(|axis| (axis, axis.dot(direction)));

@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 const PERSON_M: RangeInclusive<f64> = 1.0..=2.2;
 
 /// What a figure is scaled to where no unit makes it a person.
-const TYPICAL_PERSON_M: f64 = 1.65;
+pub(crate) const TYPICAL_PERSON_M: f64 = 1.65;
 
 /// A way to understand a file's lengths.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ const UNITS: [(f64, &str, Option<RangeInclusive<f64>>); 7] = [
     (0.0254, "inches", Some(1.35..=2.05)),
     (0.0254 / 0.45, "inches / 0.45, as in the public Acclaim data sets", Some(1.35..=1.85)),
     (0.001, "millimetres", Some(1.35..=2.05)),
-    (0.1, "decimetres", None),
+    (0.1, "decimetres", Some(1.35..=2.05)),
     (0.3048, "feet", None),
 ];
 

@@ -11,6 +11,7 @@ pub use analog::{Analog, AnalogChannel, RawSamples};
 pub use positions::Positions;
 pub use quality::Quality;
 
+use crate::infer::{markers, Answer};
 use crate::skeleton::LengthUnit;
 use glam::DVec3;
 
@@ -95,6 +96,12 @@ impl Markers {
     /// Returns the file's own number of the last frame.
     pub fn last_frame(&self) -> i64 {
         self.first_frame + self.frame_count() as i64 - 1
+    }
+
+    /// Works out the axis towards which the figure looks, in file axes: most of the time, or on the first frame where it
+    /// turns. Names of markers say it, and the way of walking.
+    pub fn facing(&self) -> Answer<DVec3> {
+        markers::facing(self)
     }
 
     /// Returns the file's own number, not always whole, of the frame at which an event is.

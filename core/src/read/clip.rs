@@ -12,7 +12,6 @@ use crate::infer::Inference;
 use crate::markers::Markers;
 use crate::motion::Motion;
 use crate::skeleton::Skeleton;
-use glam::DVec3;
 use std::sync::{Arc, OnceLock};
 
 /// What one file holds. What a format does not have is `None`.
@@ -52,7 +51,14 @@ impl PartialEq for Named {
     }
 }
 
-/// Says what was inferred besides what the user should know anyway.
+/// Returns what was inferred, with the reasons.
+fn inferred(inference: &Inference) -> [String; 3] {
+    let Inference { unit_m, up, facing, .. } = inference;
+    [("Length unit", &unit_m.reason), ("Up axis", &up.reason), ("Facing", &facing.reason)]
+        .map(|(what, reason)| format!("{what}: {reason}"))
+}
+
+/// Says what was inferred, but for [`Clip::facing_notice`], besides what the user should know anyway.
 fn named((markers, mut notices): (Markers, Vec<String>)) -> (Arc<Markers>, Vec<String>) {
     notices.push(format!("Length unit: {}", markers.unit.reason));
     notices.push(format!("Up axis: {}", markers.up.reason));
@@ -78,12 +84,9 @@ impl Clip {
 
     /// Takes a skeleton, and says what was inferred.
     pub(super) fn of_asf(asf: Asf) -> Self {
-        let skeleton = asf.skeleton();
+        let (skeleton, inference) = asf.skeleton_and_inference();
         let mut notices = asf.notices();
-        notices.push(format!("Length unit: {}", skeleton.unit.reason));
-        if skeleton.up != DVec3::Y {
-            notices.push("Z is taken as up, for the rest pose is far longer along Z than along Y".to_owned());
-        }
+        notices.extend(inferred(&inference));
         Self { asf: Some(asf), skeleton: Some(skeleton), notices, ..Self::new(Format::Asf) }
     }
 
@@ -110,9 +113,7 @@ impl Clip {
 
     fn of_bvh_without_motion(bvh: Bvh, skeleton: Skeleton, inference: &Inference) -> Self {
         let mut notices = bvh.notices();
-        notices.push(format!("Length unit: {}", inference.unit_m.reason));
-        notices.push(format!("Up axis: {}", inference.up.reason));
-        notices.push(format!("Facing: {}", inference.facing.reason));
+        notices.extend(inferred(inference));
         Self { bvh: Some(bvh), skeleton: Some(skeleton), notices, ..Self::new(Format::Bvh) }
     }
 
@@ -142,6 +143,11 @@ impl Clip {
     /// Returns what is odd in the file, and what was inferred, a sentence each.
     pub fn notices(&self) -> &[String] {
         self.named().map_or(&self.notices, |(_, notices)| notices)
+    }
+
+    /// Works out which way markers face, as a notice: for those who show it, and not for each file that is read.
+    pub fn facing_notice(&self) -> Option<String> {
+        Some(format!("Facing: {}", self.markers()?.facing().reason))
     }
 
     fn named(&self) -> Option<&(Arc<Markers>, Vec<String>)> {

@@ -1,6 +1,7 @@
 //! What is true of the real files, and copies of them: scaled, turned, at other rates. The tests ask whether what is
 //! inferred is right where it is certain; `cargo run --example inference_table` prints all of it.
 
+mod acclaim;
 pub mod markers;
 pub mod rates;
 pub mod skeletons;
@@ -50,7 +51,8 @@ pub struct Tally {
     pub unit: Counts,
     pub up: Counts,
     pub facing: Counts,
-    /// How tall the figure came out, of files that allow it to be known.
+    pub rate: Counts,
+    /// How tall the figure came out on every copy, certain or not, of files that allow it to be known.
     pub heights_m: Vec<f64>,
 }
 
@@ -61,6 +63,16 @@ pub fn sum(tallies: &[Tally], of: fn(&Tally) -> &Counts) -> Counts {
         sum.extend(of(tally));
     }
     sum
+}
+
+/// Between which heights a person comes out, in metres, from the lowest joint or marker to the highest.
+pub const PERSON_M: std::ops::RangeInclusive<f64> = 1.0..=2.2;
+
+impl Tally {
+    /// Returns how often people came out as none.
+    pub fn outside(&self) -> usize {
+        self.heights_m.iter().filter(|height| !PERSON_M.contains(height)).count()
+    }
 }
 
 /// Returns the folder with the public files, where it is at hand.
@@ -75,6 +87,13 @@ fn answer(reason: &str, is_certain: bool) -> Answer<()> {
 
 fn is_near(value: f64, truth: Option<f64>) -> bool {
     truth.is_some_and(|truth| (value / truth - 1.0).abs() < 1e-3)
+}
+
+/// Returns the extent of what is seen along an axis.
+fn extent(points: impl Iterator<Item = DVec3>, axis: DVec3) -> f64 {
+    let seen = points.map(|point| point.dot(axis)).filter(|height| height.is_finite());
+    let (low, high) = seen.fold((f64::MAX, f64::MIN), |(low, high), height| (low.min(height), high.max(height)));
+    high - low
 }
 
 /// Returns the axes of a vector moved on, `turns` times X to Y, Y to Z, Z to X: a rotation.

@@ -1,12 +1,12 @@
 //! Skeletons: what is known of each, and copies of them.
 
-use super::{answer, is_near, turned, Tally, SCALES};
+use super::{acclaim, answer, extent, is_near, rates, turned, Tally, SCALES};
 use glam::DVec3;
-use motion_theater_core::formats::asf::Asf;
 use motion_theater_core::formats::bvh::{Bvh, Channel};
 use motion_theater_core::infer::infer;
 use motion_theater_core::pose::pose;
 use motion_theater_core::read::read_path;
+use motion_theater_core::{Motion, Skeleton};
 use std::path::Path;
 
 const ACCLAIM_M: f64 = 0.0254 / 0.45;
@@ -14,11 +14,11 @@ const INCH_M: f64 = 0.0254;
 
 /// What is known of a file: metres per unit, and which axes are up and ahead in its rest pose. What nobody can know, or
 /// the rest pose does not have, is `None`; then nothing may be certain.
-struct Truth {
-    file: &'static str,
-    unit_m: Option<f64>,
-    up: Option<DVec3>,
-    facing: Option<DVec3>,
+pub(super) struct Truth {
+    pub(super) file: &'static str,
+    pub(super) unit_m: Option<f64>,
+    pub(super) up: Option<DVec3>,
+    pub(super) facing: Option<DVec3>,
 }
 
 const fn truth(file: &'static str, unit_m: Option<f64>, up: Option<DVec3>, facing: Option<DVec3>) -> Truth {
@@ -96,21 +96,20 @@ fn bvh_tally(folder: &Path, truth: &Truth) -> Tally {
     for scale in SCALES {
         for turns in 0..3 {
             let (skeleton, motion) = changed(&bvh, scale, turns).skeleton_and_motion();
-            let found = infer(&skeleton, motion.as_ref());
             let what = format!("{} x {scale}, turned {turns} times", truth.file);
-            let unit_m = truth.unit_m.map(|unit| unit / scale);
-            tally.unit.add(&what, &found.unit_m, is_near(found.unit_m.value, unit_m));
-            tally.up.add(&what, &found.up, truth.up.is_some_and(|up| found.up.value == turned(up, turns)));
-            let ahead = truth.facing.map(|facing| turned(facing, turns));
-            tally.facing.add(&what, &found.facing, Some(found.facing.value) == ahead);
-            if truth.unit_m.is_some() {
-                // At rest or at the first frame: some rest poses lie in a heap, and so does one file's only frame, whose
-                // positions are all zero.
-                let moved = pose(&skeleton, motion.as_ref().unwrap(), 1.0).heads;
-                let heights = [skeleton.rest_heads(), moved].map(|heads| extent(&heads, found.up.value));
-                tally.heights_m.push(heights[0].max(heights[1]) * found.unit_m.value);
-            }
+            count(&mut tally, &what, truth, (scale, turns), &skeleton, &motion.unwrap());
         }
+    }
+    for hz in rates::RERATED_HZ {
+        let mut copy = bvh.clone();
+        // As most programs write it.
+        let motion = copy.motion.as_mut().unwrap();
+        motion.values.truncate(bvh.width());
+        motion.frame_count = 1;
+        motion.frame_time_s = format!("{:.7}", 1.0 / hz).parse().ok();
+        let (skeleton, motion) = copy.skeleton_and_motion();
+        let found = infer(&skeleton, motion.as_ref()).rate_hz;
+        rates::count(&mut tally.rate, truth.file, hz, found.value, found.is_certain);
     }
     let (skeleton, motion) = turned_as_a_whole(&bvh).skeleton_and_motion();
     let found = infer(&skeleton, motion.as_ref()).up;
@@ -119,35 +118,51 @@ fn bvh_tally(folder: &Path, truth: &Truth) -> Tally {
     tally
 }
 
-/// Asks what every Acclaim skeleton is, in every unit.
+/// Asks what every Acclaim skeleton is, in every unit and with every axis up.
 pub fn acclaim_copies(folder: &Path) -> Vec<Tally> {
     ASF_FILES.iter().map(|(truth, motion)| acclaim_tally(&folder.join("asf_amc"), truth, motion)).collect()
 }
 
 fn acclaim_tally(folder: &Path, truth: &Truth, motion_file: &str) -> Tally {
     let asf = read_path(&folder.join(truth.file).with_extension("asf"), None).unwrap().asf.unwrap();
+    let amc = read_path(&folder.join(motion_file).with_extension("amc"), None).unwrap().amc.unwrap();
     let mut tally = Tally { file: truth.file, ..Tally::default() };
     for scale in SCALES {
-        let mut copy: Asf = asf.clone();
-        copy.bones.iter_mut().for_each(|bone| bone.length *= scale);
-        let skeleton = copy.skeleton();
-        let what = format!("{} x {scale}", truth.file);
-        let unit = answer(&skeleton.unit.reason, skeleton.unit.is_certain);
-        tally.unit.add(&what, &unit, is_near(skeleton.unit.metres, truth.unit_m.map(|unit| unit / scale)));
-        let amc = read_path(&folder.join(motion_file).with_extension("amc"), Some(&skeleton)).unwrap();
-        let found = infer(&skeleton, amc.motion.as_ref());
-        tally.up.add(&what, &found.up, Some(found.up.value) == truth.up);
-        tally.facing.add(&what, &found.facing, Some(found.facing.value) == truth.facing);
-        if skeleton.unit.is_certain {
-            tally.heights_m.push(skeleton.height() * skeleton.unit.metres);
+        for turns in 0..3 {
+            let (skeleton, motion) = acclaim::read_copy(&asf, &amc, scale, turns);
+            let what = format!("{} x {scale}, turned {turns} times", truth.file);
+            count(&mut tally, &what, truth, (scale, turns), &skeleton, &motion);
         }
+    }
+    for hz in rates::RERATED_HZ {
+        let found = acclaim::rate_of_copy(&amc, hz);
+        rates::count(&mut tally.rate, truth.file, hz, found, found.is_some());
     }
     tally
 }
 
-fn extent(points: &[DVec3], axis: DVec3) -> f64 {
-    let along = || points.iter().map(|point| point.dot(axis));
-    along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+/// Counts what is inferred of one copy. The unit of an Acclaim skeleton is not that of [`infer`] alone.
+fn count(
+    tally: &mut Tally,
+    what: &str,
+    truth: &Truth,
+    (scale, turns): (f64, usize),
+    skeleton: &Skeleton,
+    motion: &Motion,
+) {
+    let found = infer(skeleton, Some(motion));
+    let unit = answer(&skeleton.unit.reason, skeleton.unit.is_certain);
+    tally.unit.add(what, &unit, is_near(skeleton.unit.metres, truth.unit_m.map(|unit| unit / scale)));
+    tally.up.add(what, &found.up, truth.up.is_some_and(|up| skeleton.up == turned(up, turns)));
+    let ahead = truth.facing.map(|facing| turned(facing, turns));
+    tally.facing.add(what, &found.facing, Some(found.facing.value) == ahead);
+    if truth.unit_m.is_some() {
+        // At rest or at the first frame: some rest poses lie in a heap, and so does one file's only frame, whose
+        // positions are all zero.
+        let moved = pose(skeleton, motion, motion.first_frame as f64).heads;
+        let heights = [skeleton.rest_heads(), moved].map(|heads| extent(heads.into_iter(), skeleton.up));
+        tally.heights_m.push(heights[0].max(heights[1]) * skeleton.unit.metres);
+    }
 }
 
 /// Returns a copy in another unit and with other axes: the same values in channels of other names.

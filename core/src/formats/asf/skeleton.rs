@@ -1,9 +1,10 @@
 //! [`Asf`] -> [`Skeleton`].
 
 use super::hierarchy::tree;
-use super::unit::infer_unit;
+use super::unit::{assumed_unit, infer_unit};
 use super::{Asf, AsfBone, ROOT};
 use crate::formats::AngleUnit;
+use crate::infer::{as_usual, infer, Answer, Inference};
 use crate::skeleton::{Bone, Dof, EulerOrder, Limit, Skeleton};
 use glam::{DQuat, DVec3};
 
@@ -18,6 +19,11 @@ impl Asf {
     /// `axis` is in global axes (measured in the public data sets), not relative to the parent. The rest pose is the
     /// setup pose: a bone ends at its start plus `direction * length`, and its children start there.
     pub fn skeleton(&self) -> Skeleton {
+        self.skeleton_and_inference().0
+    }
+
+    /// Returns the same, and what was inferred of the rest pose.
+    pub(crate) fn skeleton_and_inference(&self) -> (Skeleton, Inference) {
         let tree = tree(self);
         let mut places = vec![0; tree.order.len()];
         let mut bones: Vec<Bone> = Vec::with_capacity(tree.order.len());
@@ -30,11 +36,19 @@ impl Asf {
             };
             bones.push(bone);
         }
-        let unit = infer_unit(&self.units, 0.0);
+        let unit = assumed_unit(&self.units, 0.0);
         let mut skeleton = Skeleton { name: self.name.clone().unwrap_or_default(), bones, up: DVec3::Y, unit };
-        skeleton.up = up_axis(&mut skeleton);
-        skeleton.unit = infer_unit(&self.units, skeleton.height());
-        skeleton
+        let mut inference = infer(&skeleton, None);
+        if !inference.up.is_certain && is_longer_along_z(&mut skeleton) {
+            let reason = "Z: the rest pose is far longer along it than along Y".to_owned();
+            inference.up = Answer { value: DVec3::Z, reason, is_certain: false };
+            inference.facing = as_usual(DVec3::Z, "the figure does not stand");
+        }
+        skeleton.up = inference.up.value;
+        let unit = infer_unit(&self.units, skeleton.height(), &inference.unit_m);
+        inference.unit_m = Answer { value: unit.metres, reason: unit.reason, is_certain: unit.is_certain };
+        inference.apply_to(&mut skeleton);
+        (skeleton, inference)
     }
 
     /// Returns what is odd in the file and what was done about it, a sentence each.
@@ -98,15 +112,11 @@ pub(crate) fn rotation_order(dofs: &[Dof]) -> EulerOrder {
     EulerOrder::ALL.into_iter().find(keeps).unwrap_or_default()
 }
 
-/// Returns the axis that points up: Y as in nearly all files, or Z where the rest pose is far longer along it.
-fn up_axis(skeleton: &mut Skeleton) -> DVec3 {
+/// Returns whether Z may be up where no body says it, for the rest pose is far longer along it.
+fn is_longer_along_z(skeleton: &mut Skeleton) -> bool {
     let [along_y, along_z] = [DVec3::Y, DVec3::Z].map(|axis| {
         skeleton.up = axis;
         skeleton.height()
     });
-    if along_z > along_y * Z_UP_RATIO {
-        DVec3::Z
-    } else {
-        DVec3::Y
-    }
+    along_z > along_y * Z_UP_RATIO
 }

@@ -1,6 +1,7 @@
 //! How long a file unit is.
 
 use super::{Extents, Stance};
+use crate::infer::TYPICAL_PERSON_M;
 use crate::skeleton::LengthUnit;
 
 /// How tall or wide a recorded person can be, in metres.
@@ -54,7 +55,7 @@ pub(crate) fn unit(stated: &str, who: &str, extents: Option<Extents>) -> LengthU
     let stance = extents.map_or(Stance::Unclear, |extents| extents.tallest().1);
     let Some((_, stated_m, stated_words)) = known else {
         return guess.map_or_else(
-            || unknown(size),
+            || unknown(size, stance),
             |(index, (_, metres, words))| LengthUnit {
                 metres: *metres,
                 reason: format!("{words}: {}; the file does not say", length(*metres)),
@@ -82,6 +83,9 @@ pub(crate) fn unit(stated: &str, who: &str, extents: Option<Extents>) -> LengthU
                 is_certain: false,
             }
         }
+        None if stance != Stance::Unclear && !POSSIBLE_M.contains(&stated_size) => {
+            as_person(size, &format!("{who} says {stated_words}, but then {}", length(*stated_m)))
+        }
         _ => LengthUnit {
             metres: *stated_m,
             reason: format!("{stated_words}, as {who} says; but {}", length(*stated_m)),
@@ -90,14 +94,23 @@ pub(crate) fn unit(stated: &str, who: &str, extents: Option<Extents>) -> LengthU
     }
 }
 
-/// Returns the unit that most files have, where neither the file nor the size of the markers says one.
-fn unknown(size: f64) -> LengthUnit {
+/// Returns what is taken where neither the file nor any usual unit says one: what stands like a person becomes as tall as
+/// one, anything else has the unit that most files have.
+fn unknown(size: f64, stance: Stance) -> LengthUnit {
+    if stance != Stance::Unclear {
+        return as_person(size, "the file does not say");
+    }
     let metres = 0.001;
-    let reason = format!(
-        "millimetres, as most files have, though the markers are {:.2} m across; the file does not say",
-        size * metres
-    );
+    let across = size * metres;
+    let reason =
+        format!("millimetres, as most files have, though the markers are {across:.2} m across; the file does not say");
     LengthUnit { metres, reason, is_certain: false }
+}
+
+/// Returns the unit that makes something a person that is one in no usual unit.
+fn as_person(size: f64, why: &str) -> LengthUnit {
+    let reason = format!("no usual unit makes the markers a person: taken as {TYPICAL_PERSON_M:.2} m tall; {why}");
+    LengthUnit { metres: TYPICAL_PERSON_M / size, reason, is_certain: false }
 }
 
 #[cfg(test)]
@@ -115,6 +128,20 @@ mod tests {
             ("", tall(1.7), 1.0, true, "metres: the markers are 1.70 m across; the file does not say"),
             ("", wide(1.2), 1.0, false, "metres: the markers are 1.20 m across; the file does not say"),
             ("", tall(66.0), 0.0254, false, "inches: the markers are 1.68 m across; the file does not say"),
+            (
+                "",
+                tall(17_000.0),
+                1.65 / 17_000.0,
+                false,
+                "no usual unit makes the markers a person: taken as 1.65 m tall; the file does not say",
+            ),
+            (
+                "",
+                wide(300.0),
+                0.001,
+                false,
+                "millimetres, as most files have, though the markers are 0.30 m across; the file does not say",
+            ),
             ("mm", wide(200.0), 0.001, false, "millimetres, as the file says; but the markers are 0.20 m across"),
             (
                 "mm",
@@ -130,6 +157,14 @@ mod tests {
                 false,
                 "metres: the markers are 1.70 m across; the file says millimetres, but then the markers are 0.00 m across",
             ),
+            (
+                "m",
+                tall(170_000.0),
+                1.65 / 170_000.0,
+                false,
+                "no usual unit makes the markers a person: taken as 1.65 m tall; the file says metres, but then the markers are 170000.00 m across",
+            ),
+            ("mm", tall(17_000.0), 0.001, false, "millimetres, as the file says; but the markers are 17.00 m across"),
             ("cm", None, 0.01, false, "centimetres; there are too few markers to see how large they are"),
             ("furlong", None, 0.001, false, "millimetres, as most files have; there are too few markers to see how large they are"),
         ];
