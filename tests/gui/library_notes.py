@@ -138,9 +138,13 @@ def mark_usable() -> hand.Session:
     overlay = ours("stage.overlay")
     yield from hand.press("motion_theater.library_play", column=0.5)
     yield from until(lambda: overlay.current is not None and overlay.current.view.body() is not None)
-    middle = overlay.current.view.area.middle
-    view = drive.region("WINDOW")
-    yield from drive.key("U", at=(int(view.x + middle[0]), int(view.y + middle[1])))
+    view, region = overlay.current.view, drive.region("WINDOW")
+    middle, bar = view.area.middle, view.transport.timeline.bar
+    place = (int(region.x + middle[0]), int(region.y + middle[1]))
+    yield from drive.key("SPACE", at=place)
+    yield from drive.click(int(region.x + bar.middle[0]), int(region.y + bar.middle[1]))
+    for key in ("O", "U"):
+        yield from drive.key(key, at=place)
     yield from until(lambda: "No space left" in overlay.current.said[0])
     drive.screenshot("notes-5-full-disk-on-the-stage")
     while overlay.current is not None:
