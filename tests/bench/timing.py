@@ -9,6 +9,7 @@ from statistics import median
 
 LEAST_RUNS = 7
 SECONDS_PER_CASE = 0.5
+SECONDS_PER_TURN = 0.05
 Task = Callable[[], object]
 
 
@@ -35,16 +36,22 @@ def nothing() -> None:
 def medians_s(ours: Task, theirs: Task, *, prepare: Task = nothing, runs: int = LEAST_RUNS) -> tuple[float, float]:
     """Return the median durations of both, run by turns so that other load on the machine meets both alike.
 
-    `prepare` runs before each, unmeasured. Quick tasks are repeated more often.
+    `prepare` runs before each, unmeasured. Quick tasks that need none run several times in each turn: a turn of one run
+    measures what the other task left behind (cold caches, memory given back to the system) more than the task.
     """
     durations: tuple[list[float], list[float]] = ([], [])
+    turn_s = SECONDS_PER_TURN if prepare is nothing else 0.0
     deadline = time.perf_counter() + SECONDS_PER_CASE
     while len(durations[0]) < runs or time.perf_counter() < deadline:
         for task, seconds in zip((ours, theirs), durations, strict=True):
-            prepare()
-            start = time.perf_counter()
-            task()
-            seconds.append(time.perf_counter() - start)
+            turn = time.perf_counter() + turn_s
+            while True:
+                prepare()
+                start = time.perf_counter()
+                task()
+                seconds.append(time.perf_counter() - start)
+                if time.perf_counter() >= turn:
+                    break
     return median(durations[0]), median(durations[1])
 
 
