@@ -42,15 +42,22 @@ def scan(file: Path, *folders: Path) -> None:
     assert (scanning.returncode, error) == (0, "")
 
 
+def put(path: Path, text: str) -> None:
+    """Replace a file as a whole: who reads it meanwhile finds the old text or the new one, and never an empty file."""
+    whole = path.parent.parent / "being written"
+    whole.write_text(text)
+    whole.replace(path)
+
+
 def change(folder: Path, edition: int) -> None:
     """Change clips, move some, let some come and go."""
     for number in range(CHANGED):
-        (folder / f"rest_{number:03}.bvh").write_text(clip(number, edition))
-        (folder / f"{NAMES[number % 2]}_{number:03}.bvh").write_text(clip(1000 + number, edition))
+        put(folder / f"rest_{number:03}.bvh", clip(number, edition))
+        put(folder / f"{NAMES[number % 2]}_{number:03}.bvh", clip(1000 + number, edition))
     here, there = folder / "moved_a.bvh", folder / "below" / "moved_b.bvh"
     if edition % 2:
         here.rename(there)
-        (folder / "fleeting.bvh").write_text(clip(3000))
+        put(folder / "fleeting.bvh", clip(3000))
     else:
         there.rename(here)
         (folder / "fleeting.bvh").unlink()
