@@ -219,10 +219,9 @@ def draw_progress(layout: UILayout) -> None:
 def found_words(*, is_filtered: bool) -> str:
     """Return how many clips are shown."""
     state = session.state
-    total = facts.count(state.total, "clip", "clips")
     if len(state.ids) == state.total and not is_filtered:
-        return total
-    return text("{found} of {total}", found=f"{len(state.ids):,}", total=total)
+        return facts.count(state.total, "clip", "clips")
+    return text("{found} of {total}", found=f"{len(state.ids):,}", total=f"{state.total:,}")
 
 
 def nothing_words() -> str:
