@@ -42,8 +42,10 @@ fn end_of(word: &[u8]) -> Option<(Region, End)> {
 /// Whether a word in lower case is for both sides of the trunk, which no step and no gesture carries along.
 fn is_on_trunk(word: &[u8]) -> bool {
     let pelvis = matches!(word, b"asi" | b"asis" | b"ias" | b"fwt" | b"psi" | b"psis" | b"ips" | b"bwt");
-    let hips = matches!(word, b"hip" | b"hjc" | b"upleg" | b"femur");
-    pelvis || hips || matches!(word, b"sho" | b"should" | b"shoulder" | b"acr" | b"acromion" | b"acromium")
+    // Not `femur`: where markers are the ends of bones, that is the knee, which a step carries along.
+    let hips = matches!(word, b"hip" | b"hipjoint" | b"hjc" | b"upleg");
+    let shoulders = matches!(word, b"sho" | b"should" | b"shoulder" | b"acr" | b"acromion" | b"acromium" | b"clavicle");
+    pelvis || hips || shoulders
 }
 
 /// Finds markers whose names differ in nothing but the side, left and right, as indices: those on the trunk, and where
@@ -162,6 +164,9 @@ mod tests {
         assert_eq!(pairs(names.into_iter().enumerate()), [[1, 0]]);
         let names = ["RKNE", "LKNE", "RASI", "LASI"];
         assert_eq!(pairs(names.into_iter().enumerate()), [[3, 2]]);
+        // The ends of an Acclaim skeleton's bones: that of the thigh is the knee.
+        let names = ["lfemur", "rfemur", "lhipjoint", "rhipjoint", "lclavicle", "rclavicle"];
+        assert_eq!(pairs(names.into_iter().enumerate()), [[2, 3], [4, 5]]);
     }
 
     #[test]
